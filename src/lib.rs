@@ -1,1 +1,21 @@
-//! Ypsilon
+//! Ypsilon: Munjiza's combined finite-discrete element method (FEM/DEM).
+//!
+//! Data flows one way: deck text → [`yformat`] → [`scene::Scene`] →
+//! [`simulation::Simulation`] → [`output`]. The architecture is described in
+//! `docs/architecture.md`.
+//!
+//! All quantities are in one consistent unit system chosen by the deck (SI in
+//! every example); 2D bodies have unit thickness.
+
+pub mod contact;
+pub mod insertion;
+pub mod mechanics;
+pub mod output;
+pub mod scene;
+pub mod simulation;
+
+/// The absolute tolerance of the original program: lengths, areas, masses and
+/// area coordinates below it count as zero (spec `y2d3d.md`, notation). It
+/// makes results depend on the unit system and is part of the method's
+/// definition here, because states are to be equal to the original's.
+pub const TOLERANCE: f64 = 1e-10;

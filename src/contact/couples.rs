@@ -1,0 +1,146 @@
+//! The list of couples: which pairs of elements are examined for contact, in
+//! which order, and how much each has slid.
+//!
+//! The original keeps couples in slots of a fixed store, chained per contactor
+//! with the newest first, and chains free slots likewise. Slots are never
+//! cleared, so that a new couple inherits the sliding left in its slot (spec
+//! `y2d3d.md` E.3): which slot a couple gets is therefore part of the result
+//! and reproduced here. Memory grows with the couples in use, not with the
+//! capacity that the deck declares.
+
+const NONE: u32 = u32::MAX;
+
+/// A couple in its slot.
+#[derive(Debug, Clone, Copy)]
+struct Slot {
+    target: u32,
+    next: u32,
+    sliding: [f64; 6],
+}
+
+/// Couples chained per contactor (the higher element number of a pair).
+#[derive(Debug, Clone, Default)]
+pub struct CoupleList {
+    /// Newest couple of each contactor.
+    first: Vec<u32>,
+    slots: Vec<Slot>,
+    /// Freed slots, the one to be used next last.
+    free: Vec<u32>,
+    initial_sliding: Vec<[f64; 6]>,
+}
+
+impl CoupleList {
+    /// An empty list whose slots start with the given sliding (0 beyond).
+    #[must_use]
+    pub fn new(initial_sliding: Vec<[f64; 6]>) -> Self {
+        Self { initial_sliding, ..Self::default() }
+    }
+
+    /// Makes room for contactors up to `elements`.
+    pub fn resize(&mut self, elements: usize) {
+        self.first.resize(elements, NONE);
+    }
+
+    /// Number of couples.
+    #[must_use]
+    pub fn len(&self) -> usize {
+        self.slots.len() - self.free.len()
+    }
+
+    /// Whether there are no couples.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// Slots of the couples of a contactor, newest first.
+    pub fn of(&self, contactor: u32) -> impl Iterator<Item = u32> + '_ {
+        let mut slot = self.first[contactor as usize];
+        std::iter::from_fn(move || {
+            let current = (slot != NONE).then_some(slot)?;
+            slot = self.slots[current as usize].next;
+            Some(current)
+        })
+    }
+
+    /// Target element of a couple.
+    #[must_use]
+    pub fn target(&self, slot: u32) -> u32 {
+        self.slots[slot as usize].target
+    }
+
+    /// Sliding accumulated in a slot, m².
+    #[must_use]
+    pub fn sliding(&self, slot: u32) -> &[f64; 6] {
+        &self.slots[slot as usize].sliding
+    }
+
+    /// Sliding accumulated in a slot, m², to be updated.
+    pub fn sliding_mut(&mut self, slot: u32) -> &mut [f64; 6] {
+        &mut self.slots[slot as usize].sliding
+    }
+
+    /// Whether the pair is a couple already.
+    #[must_use]
+    pub fn find(&self, contactor: u32, target: u32) -> Option<u32> {
+        self.of(contactor).find(|&slot| self.target(slot) == target)
+    }
+
+    /// Adds a couple at the head of its contactor's chain.
+    pub fn insert(&mut self, contactor: u32, target: u32) -> u32 {
+        let next = self.first[contactor as usize];
+        let slot = if let Some(slot) = self.free.pop() {
+            let reused = &mut self.slots[slot as usize];
+            (reused.target, reused.next) = (target, next);
+            slot
+        } else {
+            let slot = self.slots.len();
+            let sliding = self.initial_sliding.get(slot).copied().unwrap_or_default();
+            self.slots.push(Slot { target, next, sliding });
+            slot as u32
+        };
+        self.first[contactor as usize] = slot;
+        slot
+    }
+
+    /// Removes a couple; its slot is the next to be used again.
+    pub fn remove(&mut self, contactor: u32, slot: u32) {
+        let next = self.slots[slot as usize].next;
+        let head = self.first[contactor as usize];
+        if head == slot {
+            self.first[contactor as usize] = next;
+        } else {
+            let mut before = head;
+            while before != NONE && self.slots[before as usize].next != slot {
+                before = self.slots[before as usize].next;
+            }
+            debug_assert_ne!(before, NONE, "couple is not in its contactor's chain");
+            self.slots[before as usize].next = next;
+        }
+        self.free.push(slot);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::CoupleList;
+
+    #[test]
+    fn newest_couple_comes_first_and_freed_slots_are_reused_with_their_sliding() {
+        let mut couples = CoupleList::new(vec![]);
+        couples.resize(4);
+        let a = couples.insert(3, 0);
+        let b = couples.insert(3, 1);
+        let c = couples.insert(3, 2);
+        assert_eq!(couples.of(3).collect::<Vec<_>>(), [c, b, a]);
+        couples.sliding_mut(b)[0] = 7.0;
+        couples.remove(3, b);
+        couples.remove(3, c);
+        assert_eq!(couples.of(3).collect::<Vec<_>>(), [a]);
+        assert_eq!(couples.insert(2, 0), c);
+        let reused = couples.insert(2, 1);
+        assert_eq!(reused, b);
+        assert_eq!(couples.sliding(reused)[0], 7.0);
+        assert_eq!((couples.len(), couples.find(2, 0)), (3, Some(c)));
+    }
+}

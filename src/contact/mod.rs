@@ -1,0 +1,14 @@
+//! Contact: when and between which elements it is looked for, the list of
+//! couples, and the potential force of one couple.
+
+mod couples;
+mod detection;
+mod friction;
+mod interaction;
+mod overlap2;
+
+pub use couples::CoupleList;
+pub use detection::{Detector, Participants};
+pub use friction::{PairProperties, PairTable};
+pub use interaction::{Contact, CoupleWork};
+pub use overlap2::{Body, Overlap, SideForces, overlap};

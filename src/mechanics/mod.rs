@@ -1,0 +1,17 @@
+//! Kernels: one file per element kind, state in, force out.
+//!
+//! The order of every operation is part of the contract: it is that of spec
+//! `y2d3d.md` (sections C, D and H), without fused multiply-add and without
+//! reassociation, so that states equal the original's bit for bit.
+
+pub mod edge_load;
+pub mod joint2;
+pub mod rigid_triangle;
+pub mod softening;
+pub mod softening_triangle;
+pub mod triangle;
+
+use nalgebra::Vector2;
+
+/// A point or vector of the plane.
+pub type Vec2 = Vector2<f64>;

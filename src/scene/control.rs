@@ -1,0 +1,19 @@
+/// Time stepping, gravity and output intervals.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Control {
+    /// Index of the first step.
+    pub first_step: u64,
+    /// One past the index of the last step.
+    pub end_step: u64,
+    /// Time step, s.
+    pub time_step: f64,
+    /// Physical time at the first step, s.
+    pub start_time: f64,
+    /// Acceleration of gravity along y, m/s² (negative: downwards). The
+    /// original ignores the x component in 2D.
+    pub gravity: f64,
+    /// A result state is written at every step whose index is a multiple of this.
+    pub output_interval: u64,
+    /// A row of the run table is written at every multiple of this step index.
+    pub table_interval: u64,
+}

@@ -1,0 +1,55 @@
+//! The scene: everything a simulation needs, free of file syntax.
+//!
+//! A [`Scene`] is built from a deck by [`from_deck`], which makes every check
+//! and reports each mistake with its place in the deck.
+
+mod boundary;
+mod contact;
+mod control;
+mod materials;
+mod mesh;
+mod meshing;
+mod probes;
+
+pub use boundary::{Condition, LoadHistory, NodeSet};
+pub use contact::ContactSettings;
+pub use control::Control;
+pub use materials::{CohesiveLaw, ElementKind, Material};
+pub use mesh::{BROKEN_JOINT, CLOSED_EDGE, Elements, Nodes};
+pub use meshing::{Combination, Insertion, JointPair};
+pub use probes::{Probe, ProbeQuantity};
+
+/// A planar scene of the split dialect, ready to be simulated.
+///
+/// Indices are 0-based deck numbers throughout. Property codes of elements:
+/// `0..materials.len()` is a continuum element of that material,
+/// `materials.len() + s` a live joint of cohesive law `s`, and the negative
+/// codes [`BROKEN_JOINT`] and [`CLOSED_EDGE`] are joints that carry nothing.
+#[derive(Debug, Clone)]
+pub struct Scene {
+    /// Base name of the output files (spec `y2d3d.md` G.1).
+    pub name: String,
+    /// Time stepping and output intervals.
+    pub control: Control,
+    /// Nodal state at the start.
+    pub nodes: Nodes<2>,
+    /// Elements at the start.
+    pub elements: Elements,
+    /// Material of each element property set.
+    pub materials: Vec<Material>,
+    /// Cohesive law of each joint property set.
+    pub cohesive_laws: Vec<CohesiveLaw>,
+    /// Boundary conditions of each node set.
+    pub node_sets: Vec<NodeSet<2>>,
+    /// Load-time history of the node sets, if the deck has one.
+    pub load_history: Option<LoadHistory>,
+    /// Contact settings; `None` switches contact off.
+    pub contact: Option<ContactSettings>,
+    /// Refinement and joint insertion to do in the first step.
+    pub insertion: Option<Insertion>,
+    /// History outputs.
+    pub probes: Vec<Probe>,
+    /// Change of a probe's value below which the stored value is kept:
+    /// absolute for all quantities but the kinetic energy, where it is relative.
+    pub probe_threshold: f64,
+}

@@ -1,0 +1,147 @@
+//! The step loop (spec `y2d3d.md` B).
+//!
+//! One step is [`Simulation::evaluate_forces`], then output of the state that
+//! belongs to those forces, then [`Simulation::advance`].
+
+mod contact_step;
+mod edge_loads;
+mod element_forces;
+mod fracture;
+mod joint_forces;
+mod motion;
+mod plan;
+mod probe_values;
+mod view;
+
+use crate::{
+    contact::Contact,
+    insertion::{self, CapacityError, InsertionReport},
+    mechanics::Vec2,
+    scene::Scene,
+};
+use nalgebra::Matrix2;
+use plan::Plan;
+
+pub use view::{JointView, joint_views};
+
+/// A scene in motion.
+#[derive(Debug, Clone)]
+pub struct Simulation {
+    scene: Scene,
+    plan: Plan,
+    contact: Option<Contact>,
+    step: u64,
+    time: f64,
+    /// Nodal forces of the last evaluation, N.
+    force: Vec<Vec2>,
+    /// Nodal masses, kg.
+    mass: Vec<f64>,
+    /// Cauchy stress of each element, Pa.
+    stress: Vec<Matrix2<f64>>,
+    /// Shear strength of joints and shrink ratio of softening triangles.
+    strength: Vec<f64>,
+    probe_values: Vec<f64>,
+    /// Kinetic energy at the end of the last step that computed it, J.
+    kinetic_energy: f64,
+    insertion_report: Option<InsertionReport>,
+    starts_block: bool,
+    broken_joints: usize,
+}
+
+impl Simulation {
+    /// A simulation at the scene's first step.
+    #[must_use]
+    pub fn new(scene: Scene) -> Self {
+        Self {
+            step: scene.control.first_step,
+            time: scene.control.start_time,
+            contact: scene.contact.clone().map(Contact::new),
+            probe_values: scene.probes.iter().map(|p| p.initial_value).collect(),
+            scene,
+            plan: Plan::default(),
+            force: Vec::new(),
+            mass: Vec::new(),
+            stress: Vec::new(),
+            strength: Vec::new(),
+            kinetic_energy: 0.0,
+            insertion_report: None,
+            starts_block: true,
+            broken_joints: 0,
+        }
+    }
+
+    /// Whether all steps of the deck are done.
+    #[must_use]
+    pub fn is_finished(&self) -> bool {
+        self.step >= self.scene.control.end_step
+    }
+
+    /// First half of a step: meshing (first step only), internal forces,
+    /// joints, contact detection and contact forces.
+    ///
+    /// # Errors
+    /// If meshing needs more nodes or elements than the deck leaves room for.
+    pub fn evaluate_forces(&mut self) -> Result<(), CapacityError> {
+        if self.starts_block {
+            self.start_block()?;
+        }
+        self.clear_forces();
+        self.add_element_forces();
+        self.add_joint_forces();
+        self.add_contact_forces();
+        self.record_nodal_forces();
+        Ok(())
+    }
+
+    /// Second half of a step: new velocities and positions, kinetic energy,
+    /// fracture of softening triangles, time.
+    pub fn advance(&mut self) {
+        self.move_nodes();
+        self.move_rigid_triangles();
+        self.update_kinetic_energy();
+        self.fracture_triangles();
+        self.time += self.scene.control.time_step;
+        self.step += 1;
+    }
+
+    /// Meshing, initial strengths and element lists.
+    fn start_block(&mut self) -> Result<(), CapacityError> {
+        self.starts_block = false;
+        let scene = &mut self.scene;
+        if let Some(insertion) = &mut scene.insertion {
+            let report = insertion::execute(
+                insertion,
+                &mut scene.nodes,
+                &mut scene.elements,
+                &mut scene.materials,
+            )?;
+            self.insertion_report = Some(report);
+            if let Some(contact) = self.contact.as_mut().filter(|_| report.executed > 0) {
+                contact.force_detection(2.0);
+            }
+        }
+        self.set_initial_strengths();
+        self.rebuild();
+        Ok(())
+    }
+
+    /// Takes over a changed mesh.
+    fn rebuild(&mut self) {
+        self.plan = Plan::new(&self.scene);
+        self.force.resize(self.scene.nodes.len(), Vec2::zeros());
+        self.mass.resize(self.scene.nodes.len(), 0.0);
+        self.stress.resize(self.scene.elements.len(), Matrix2::zeros());
+        self.strength.resize(self.scene.elements.len(), 0.0);
+        self.mass.copy_from_slice(&self.plan.nodal_mass);
+        if let Some(contact) = &mut self.contact {
+            contact.rebuild(&self.scene.elements, &self.scene.materials);
+        }
+    }
+
+    fn clear_forces(&mut self) {
+        self.force.fill(Vec2::zeros());
+        if self.plan.masses_change {
+            self.mass.copy_from_slice(&self.plan.nodal_mass);
+        }
+    }
+}

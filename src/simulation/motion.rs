@@ -1,0 +1,133 @@
+use super::Simulation;
+use crate::{
+    TOLERANCE,
+    mechanics::{Vec2, rigid_triangle, triangle},
+    scene::{Condition, NodeSet},
+};
+use nalgebra::Matrix2;
+
+/// Boundary condition of a node set at one instant.
+struct Drive {
+    conditions: [Condition; 2],
+    amplitudes: [f64; 2],
+    gravity: f64,
+    dt: f64,
+    /// Local axes and their inverse, unless they are the global ones.
+    frame: Option<(Matrix2<f64>, Matrix2<f64>)>,
+}
+
+impl Drive {
+    fn new(set: &NodeSet<2>, factor: f64, gravity: f64, dt: f64) -> Self {
+        let axes = set.axes;
+        let determinant = axes[(0, 0)] * axes[(1, 1)] - axes[(1, 0)] * axes[(0, 1)];
+        // multiplying by global axes changes nothing but the sign of a zero, which
+        // only a prescribed velocity can bring in
+        let prescribed = set.conditions.contains(&Condition::Velocity);
+        let frame = (prescribed || axes != Matrix2::identity())
+            .then(|| (axes, triangle::inverse(&axes, determinant)));
+        let amplitudes = set.amplitudes.map(|a| a * factor);
+        Self { conditions: set.conditions, amplitudes, gravity, dt, frame }
+    }
+
+    /// Velocity at the end of the step.
+    #[inline]
+    fn velocity(&self, velocity: Vec2, force: Vec2, mass: f64) -> Vec2 {
+        let force = Vec2::new(force.x, force.y + self.gravity * mass);
+        match &self.frame {
+            None => self.local_velocity(velocity, force, mass),
+            Some((axes, inverse)) => {
+                let (v, f) = (apply(inverse, velocity), apply(inverse, force));
+                apply(axes, self.local_velocity(v, f, mass))
+            }
+        }
+    }
+
+    #[inline]
+    fn local_velocity(&self, velocity: Vec2, force: Vec2, mass: f64) -> Vec2 {
+        let component = |k: usize| {
+            let (v, f, a) = (velocity[k], force[k], self.amplitudes[k]);
+            match self.conditions[k] {
+                Condition::Force => v + (a + f) / mass * self.dt,
+                Condition::Acceleration => v + (a + f / mass) * self.dt,
+                Condition::Velocity => a,
+                Condition::Frozen => v,
+            }
+        };
+        Vec2::new(component(0), component(1))
+    }
+}
+
+#[inline]
+fn apply(m: &Matrix2<f64>, v: Vec2) -> Vec2 {
+    Vec2::new(m[(0, 0)] * v.x + m[(0, 1)] * v.y, m[(1, 0)] * v.x + m[(1, 1)] * v.y)
+}
+
+impl Simulation {
+    /// Explicit integration of all nodes with mass that belong to a node set
+    /// (spec `y2d3d.md` F.1).
+    pub(super) fn move_nodes(&mut self) {
+        let control = &self.scene.control;
+        let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
+        let history = self.scene.load_history.as_ref().filter(|h| h.is_active());
+        let nodes = &mut self.scene.nodes;
+        for of_set in self.plan.nodes.chunk_by(|a, b| a.set == b.set) {
+            let index = of_set[0].set as usize;
+            let factor = history.map_or(1.0, |h| h.factor(index, time));
+            let drive = Drive::new(&self.scene.node_sets[index], factor, gravity, dt);
+            for planned in of_set {
+                let n = planned.node as usize;
+                let mass = self.mass[n];
+                if mass > TOLERANCE {
+                    let velocity = drive.velocity(nodes.velocity[n], self.force[n], mass);
+                    nodes.velocity[n] = velocity;
+                    nodes.current[n] += velocity * dt;
+                }
+            }
+        }
+    }
+
+    /// Rigid triangles move under the contact forces of their nodes.
+    pub(super) fn move_rigid_triangles(&mut self) {
+        let dt = self.scene.control.time_step;
+        for planned in &self.plan.rigid {
+            let density = self.scene.materials[planned.material].density;
+            let nodes = &mut self.scene.nodes;
+            let corners = planned.corners.map(|n| n as usize);
+            let motion = rigid_triangle::advance(
+                density,
+                &corners.map(|n| nodes.current[n]),
+                &corners.map(|n| nodes.velocity[n]),
+                &corners.map(|n| self.force[n]),
+                dt,
+            );
+            for (i, n) in corners.into_iter().enumerate() {
+                nodes.current[n] = motion.positions[i];
+                nodes.velocity[n] = motion.velocities[i];
+                self.mass[n] = motion.nodal_mass;
+            }
+        }
+    }
+
+    /// Kinetic energy of the new velocities, if something needs it.
+    pub(super) fn update_kinetic_energy(&mut self) {
+        if self.plan.kinetic_energy_probes {
+            self.kinetic_energy = self.sum_kinetic_energy();
+            self.record_kinetic_energy();
+        } else if (self.step + 1).is_multiple_of(self.scene.control.output_interval) {
+            // the next state is written with the energy at the end of this step
+            self.kinetic_energy = self.sum_kinetic_energy();
+        }
+    }
+
+    /// Kinetic energy of all nodes with mass, J, nodes ascending.
+    #[must_use]
+    pub fn sum_kinetic_energy(&self) -> f64 {
+        let mut sum = 0.0;
+        for (v, &mass) in self.scene.nodes.velocity.iter().zip(&self.mass) {
+            if mass >= TOLERANCE {
+                sum += 0.5 * (v.x * v.x + v.y * v.y) * mass;
+            }
+        }
+        sum
+    }
+}
