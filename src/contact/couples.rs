@@ -16,6 +16,8 @@ struct Slot {
     target: u32,
     next: u32,
     sliding: [f64; 6],
+    /// Path length up to which the couple need not be evaluated, m.
+    rest: f64,
 }
 
 /// Couples chained per contactor (the higher element number of a pair).
@@ -80,6 +82,24 @@ impl CoupleList {
         &mut self.slots[slot as usize].sliding
     }
 
+    /// Path length of the fastest node up to which the couple rests, m.
+    #[must_use]
+    pub fn rest(&self, slot: u32) -> f64 {
+        self.slots[slot as usize].rest
+    }
+
+    /// Lets the couple rest until the fastest node has covered that path.
+    pub fn set_rest(&mut self, slot: u32, path: f64) {
+        self.slots[slot as usize].rest = path;
+    }
+
+    /// Wakes all couples.
+    pub fn wake_all(&mut self) {
+        for slot in &mut self.slots {
+            slot.rest = 0.0;
+        }
+    }
+
     /// Whether the pair is a couple already.
     #[must_use]
     pub fn find(&self, contactor: u32, target: u32) -> Option<u32> {
@@ -91,12 +111,12 @@ impl CoupleList {
         let next = self.first[contactor as usize];
         let slot = if let Some(slot) = self.free.pop() {
             let reused = &mut self.slots[slot as usize];
-            (reused.target, reused.next) = (target, next);
+            (reused.target, reused.next, reused.rest) = (target, next, 0.0);
             slot
         } else {
             let slot = self.slots.len();
             let sliding = self.initial_sliding.get(slot).copied().unwrap_or_default();
-            self.slots.push(Slot { target, next, sliding });
+            self.slots.push(Slot { target, next, sliding, rest: 0.0 });
             slot as u32
         };
         self.first[contactor as usize] = slot;

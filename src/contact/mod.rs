@@ -1,14 +1,16 @@
 //! Contact: when and between which elements it is looked for, the list of
 //! couples, and the potential force of one couple.
 
+mod clearance;
 mod couples;
 mod detection;
 mod friction;
 mod interaction;
 mod overlap2;
 
+pub use clearance::clearance;
 pub use couples::CoupleList;
 pub use detection::{Detector, Participants};
 pub use friction::{PairProperties, PairTable};
 pub use interaction::{Contact, CoupleWork};
-pub use overlap2::{Body, Overlap, SideForces, overlap};
+pub use overlap2::{AreaCoordinates, Proximity, SideForces, overlap};

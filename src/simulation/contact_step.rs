@@ -7,6 +7,6 @@ impl Simulation {
         let scene = &mut self.scene;
         let dt = scene.control.time_step;
         contact.detect(&scene.nodes, &mut scene.elements, &scene.materials, dt);
-        contact.interact(&scene.nodes, &scene.elements, dt, &mut self.force);
+        contact.interact(&scene.nodes, dt, &mut self.force);
     }
 }

@@ -24,6 +24,19 @@ use plan::Plan;
 
 pub use view::{JointView, joint_views};
 
+/// Choices that change how fast a simulation runs, never its results.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct SolverOptions {
+    /// Whether couples that provably have no effect are left out.
+    pub skip_separated_couples: bool,
+}
+
+impl Default for SolverOptions {
+    fn default() -> Self {
+        Self { skip_separated_couples: true }
+    }
+}
+
 /// A scene in motion.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -52,10 +65,17 @@ impl Simulation {
     /// A simulation at the scene's first step.
     #[must_use]
     pub fn new(scene: Scene) -> Self {
+        Self::with_options(scene, SolverOptions::default())
+    }
+
+    /// The same with explicit solver options.
+    #[must_use]
+    pub fn with_options(scene: Scene, options: SolverOptions) -> Self {
+        let contact = |settings| Contact::new(settings, options.skip_separated_couples);
         Self {
             step: scene.control.first_step,
             time: scene.control.start_time,
-            contact: scene.contact.clone().map(Contact::new),
+            contact: scene.contact.clone().map(contact),
             probe_values: scene.probes.iter().map(|p| p.initial_value).collect(),
             scene,
             plan: Plan::default(),

@@ -1,0 +1,179 @@
+//! How far the nodes of a separated couple may move before it could matter.
+//!
+//! A couple whose six edges all lie clear of the other triangle exerts no
+//! force, changes no sliding and, while it stays nearer than twice the buffer,
+//! keeps its place in the list: it need not be evaluated. Each edge is clear
+//! because some twice-areas ("numerators" of area coordinates) have the right
+//! sign. When every node moves by at most `b`, a twice-area of points no
+//! further apart than `D` changes by at most 4bD + 4b² ≤ 5bD for b ≤ D/4, so
+//! that the signs hold for b up to the smallest such numerator over 5D. The
+//! same bound on the numerators bounds the distance that decides when the
+//! couple is dropped. The result is exact, not approximate: states with and
+//! without skipping are equal bit for bit (`tests/skips_are_exact.rs`).
+//!
+//! A node shared by both triangles lies on the edges that start or end there
+//! *identically*, rounding included: the two products of its numerator are
+//! equal and opposite. Such numerators stay zero whatever moves.
+
+use crate::mechanics::Vec2;
+
+/// Share of the bound that is used, for the rounding of the accumulated travel.
+const SAFETY: f64 = 0.99;
+/// Numerators below this share of D² are not trusted to have a sign.
+const NOISE: f64 = 1e-9;
+
+/// Displacement of any node, m, up to which the couple of two triangles
+/// provably stays without effect; 0 if it must be evaluated every step.
+///
+/// `nodes` are the node numbers, `corners` the current positions, of target
+/// and contactor. `buffer` is the detection buffer.
+#[must_use]
+pub fn clearance(nodes: &[[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -> f64 {
+    let couple = Couple::new(nodes, corners);
+    let noise = NOISE * couple.extent * couple.extent;
+    let mut slack = couple.areas[0].min(couple.areas[1]);
+    for t in 0..2 {
+        for edge in 0..3 {
+            slack = slack.min(couple.edge_slack(t, edge));
+        }
+    }
+    let holds = SAFETY * (slack - noise) / (5.0 * couple.extent);
+    let stays = couple.keeping_distance(buffer);
+    let bound = holds.min(stays).min(couple.extent / 4.0);
+    if bound > 0.0 { bound } else { 0.0 }
+}
+
+/// Sign of a numerator and how safe it is.
+#[derive(Debug, Clone, Copy)]
+enum Side {
+    /// Identically on the edge.
+    On,
+    /// Inside by this twice-area (outside if negative).
+    Off(f64),
+}
+
+impl Side {
+    fn slack_outside(self) -> f64 {
+        match self {
+            Self::On => f64::INFINITY,
+            Self::Off(numerator) => -numerator,
+        }
+    }
+
+    fn slack_inside(self) -> f64 {
+        match self {
+            Self::On => f64::INFINITY,
+            Self::Off(numerator) => numerator,
+        }
+    }
+}
+
+struct Couple<'a> {
+    nodes: &'a [[u32; 3]; 2],
+    /// Numerator of corner `i` of triangle `t` at edge `e` of the other: `[t][i][e]`.
+    sides: [[[Side; 3]; 3]; 2],
+    /// Twice the areas.
+    areas: [f64; 2],
+    /// Squared edge lengths.
+    edges: [[f64; 3]; 2],
+    /// Diagonal of the box around both triangles.
+    extent: f64,
+}
+
+impl<'a> Couple<'a> {
+    fn new(nodes: &'a [[u32; 3]; 2], corners: &[[Vec2; 3]; 2]) -> Self {
+        let twice_area = |from: Vec2, to: Vec2, p: Vec2| {
+            (from.x - p.x) * (to.y - from.y) + (from.y - p.y) * (from.x - to.x)
+        };
+        let side = |t: usize, i: usize, e: usize| {
+            let (u, f) = (1 - t, (e + 1) % 3);
+            if nodes[t][i] == nodes[u][e] || nodes[t][i] == nodes[u][f] {
+                Side::On
+            } else {
+                Side::Off(twice_area(corners[u][e], corners[u][f], corners[t][i]))
+            }
+        };
+        let all = corners.as_flattened();
+        let (mut low, mut high) = (all[0], all[0]);
+        for p in all {
+            low = low.inf(p);
+            high = high.sup(p);
+        }
+        Self {
+            nodes,
+            sides: [0, 1].map(|t| [0, 1, 2].map(|i| [0, 1, 2].map(|e| side(t, i, e)))),
+            areas: [0, 1].map(|t| twice_area(corners[t][0], corners[t][1], corners[t][2])),
+            edges: [0, 1].map(|t| [0, 1, 2].map(|e| (corners[t][(e + 1) % 3] - corners[t][e]).norm_squared())),
+            extent: (high - low).norm(),
+        }
+    }
+
+    /// Slack of the safest reason why an edge lies clear: the other triangle
+    /// wholly on one side of it, or both its ends outside one edge of the other.
+    fn edge_slack(&self, t: usize, edge: usize) -> f64 {
+        let end = (edge + 1) % 3;
+        let others = &self.sides[1 - t];
+        let least = |f: fn(Side) -> f64| (0..3).map(|m| f(others[m][edge])).fold(f64::INFINITY, f64::min);
+        let mut best = least(Side::slack_outside).max(least(Side::slack_inside));
+        for m in 0..3 {
+            let ends = [self.sides[t][edge][m], self.sides[t][end][m]];
+            best = best.max(ends[0].slack_outside().min(ends[1].slack_outside()));
+        }
+        best
+    }
+
+    /// Displacement up to which some edge start stays within twice the buffer
+    /// of the edge line that it violates most, so that the couple is not dropped.
+    fn keeping_distance(&self, buffer: f64) -> f64 {
+        let reach = 2.0 * buffer * SAFETY;
+        let mut best = 0.0f64;
+        for t in 0..2 {
+            let shortest = self.edges[1 - t].iter().fold(f64::INFINITY, |a, &b| a.min(b)).sqrt();
+            for i in 0..3 {
+                if self.nodes[1 - t].contains(&self.nodes[t][i]) {
+                    return f64::INFINITY;
+                }
+                let lowest = self.sides[t][i].iter().fold(f64::INFINITY, |a, s| a.min(s.slack_inside()));
+                let room = reach * shortest - lowest.abs();
+                best = best.max(SAFETY * room / (5.0 * self.extent + 2.0 * reach));
+            }
+        }
+        best
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn unit(at: Vec2) -> [Vec2; 3] {
+        [at, at + Vec2::new(1.0, 0.0), at + Vec2::new(0.0, 1.0)]
+    }
+
+    #[test]
+    fn separated_triangles_rest_for_part_of_their_gap() {
+        let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 1.1))];
+        let b = clearance(&[[0, 1, 2], [3, 4, 5]], &corners, 0.2);
+        assert!(b > 0.0 && b < 0.05, "{b}");
+    }
+
+    #[test]
+    fn overlapping_triangles_never_rest() {
+        let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 0.9))];
+        assert_eq!(clearance(&[[0, 1, 2], [3, 4, 5]], &corners, 0.2), 0.0);
+    }
+
+    #[test]
+    fn couples_about_to_be_dropped_never_rest() {
+        let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 1.1))];
+        assert_eq!(clearance(&[[0, 1, 2], [3, 4, 5]], &corners, 0.01), 0.0);
+    }
+
+    #[test]
+    fn triangles_that_share_an_edge_rest_whatever_the_buffer() {
+        let [a, b, c] = unit(Vec2::zeros());
+        let d = Vec2::new(1.0, 1.0);
+        let b_rest = clearance(&[[0, 1, 2], [2, 1, 3]], &[[a, b, c], [c, b, d]], 0.0);
+        assert!(b_rest > 0.1, "{b_rest}");
+    }
+}
