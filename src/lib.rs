@@ -7,11 +7,13 @@
 //! All quantities are in one consistent unit system chosen by the deck (SI in
 //! every example); 2D bodies have unit thickness.
 
+pub mod cli;
 pub mod contact;
 pub mod insertion;
 pub mod mechanics;
 pub mod output;
 pub mod scene;
+pub mod session;
 pub mod simulation;
 
 /// The absolute tolerance of the original program: lengths, areas, masses and

@@ -1,1 +1,7 @@
-fn main(){}
+//! The `ypsilon` program.
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    ypsilon::cli::main()
+}

@@ -1,1 +1,18 @@
-//! converters
+//! Turns results of Y into files that ParaView and spreadsheets open, and writes such files
+//! for the solver.
+//!
+//! * [`vtk`]: unstructured grids (`.vtu`) and time series of them (`.pvd`)
+//! * [`d3plot`]: d3plot families to time series
+//! * [`history`]: `.yh` histories to CSV
+//! * [`detect`]: what kind of file something is, by its content
+//! * [`stress_measures`]: von Mises, principal and Tresca stresses
+
+pub mod d3plot;
+pub mod detect;
+mod error;
+pub mod history;
+mod replace_file;
+pub mod stress_measures;
+pub mod vtk;
+
+pub use error::ConvertError;

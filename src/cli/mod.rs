@@ -1,1 +1,56 @@
-//! TODO
+//! The command line. One file per subcommand.
+
+mod check;
+mod convert;
+mod deck_report;
+mod exit;
+mod interrupt;
+mod keywords;
+mod progress;
+mod run;
+
+use clap::{Parser, Subcommand};
+use std::process::ExitCode;
+
+pub use exit::Exit;
+
+/// Runs Munjiza's combined finite-discrete element method (FEM/DEM) on Y decks.
+///
+/// `ypsilon DECK` is the drop-in for the original program: it runs the deck and
+/// writes its results, named after the deck, into the current directory.
+#[derive(Debug, Parser)]
+#[command(version, args_conflicts_with_subcommands = true, arg_required_else_help = true)]
+#[command(after_help = exit::HELP)]
+struct Arguments {
+    #[command(subcommand)]
+    command: Option<Command>,
+    #[command(flatten)]
+    run: Option<run::RunArguments>,
+}
+
+#[derive(Debug, Subcommand)]
+enum Command {
+    /// Run a deck
+    #[command(after_help = exit::HELP)]
+    Run(run::RunArguments),
+    /// Check a deck without running it
+    Check(check::CheckArguments),
+    /// Convert d3plot families to VTU/PVD and histories to CSV
+    Convert(convert::ConvertArguments),
+    /// List the deck keywords of a dialect with their meaning
+    Keywords(keywords::KeywordArguments),
+}
+
+/// Parses the command line, does what it says and gives the exit code.
+#[must_use]
+pub fn main() -> ExitCode {
+    let arguments = Arguments::parse();
+    let exit = match (arguments.command, arguments.run) {
+        (Some(Command::Run(run)), _) | (None, Some(run)) => run::main(&run),
+        (Some(Command::Check(check)), _) => check::main(&check),
+        (Some(Command::Convert(convert)), _) => convert::main(&convert),
+        (Some(Command::Keywords(keywords)), _) => keywords::main(&keywords),
+        (None, None) => Exit::Usage,
+    };
+    exit.into()
+}

@@ -103,7 +103,9 @@ impl<'a> Couple<'a> {
             nodes,
             sides: [0, 1].map(|t| [0, 1, 2].map(|i| [0, 1, 2].map(|e| side(t, i, e)))),
             areas: [0, 1].map(|t| twice_area(corners[t][0], corners[t][1], corners[t][2])),
-            edges: [0, 1].map(|t| [0, 1, 2].map(|e| (corners[t][(e + 1) % 3] - corners[t][e]).norm_squared())),
+            edges: [0, 1].map(|t| {
+                [0, 1, 2].map(|e| (corners[t][(e + 1) % 3] - corners[t][e]).norm_squared())
+            }),
             extent: (high - low).norm(),
         }
     }
@@ -113,7 +115,8 @@ impl<'a> Couple<'a> {
     fn edge_slack(&self, t: usize, edge: usize) -> f64 {
         let end = (edge + 1) % 3;
         let others = &self.sides[1 - t];
-        let least = |f: fn(Side) -> f64| (0..3).map(|m| f(others[m][edge])).fold(f64::INFINITY, f64::min);
+        let least =
+            |f: fn(Side) -> f64| (0..3).map(|m| f(others[m][edge])).fold(f64::INFINITY, f64::min);
         let mut best = least(Side::slack_outside).max(least(Side::slack_inside));
         for m in 0..3 {
             let ends = [self.sides[t][edge][m], self.sides[t][end][m]];
@@ -133,7 +136,8 @@ impl<'a> Couple<'a> {
                 if self.nodes[1 - t].contains(&self.nodes[t][i]) {
                     return f64::INFINITY;
                 }
-                let lowest = self.sides[t][i].iter().fold(f64::INFINITY, |a, s| a.min(s.slack_inside()));
+                let lowest =
+                    self.sides[t][i].iter().fold(f64::INFINITY, |a, s| a.min(s.slack_inside()));
                 let room = reach * shortest - lowest.abs();
                 best = best.max(SAFETY * room / (5.0 * self.extent + 2.0 * reach));
             }

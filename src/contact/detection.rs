@@ -155,7 +155,8 @@ impl Circle {
     fn around(element: u32, tag: i32, corners: &[Vec2; 3]) -> Self {
         let sum = corners[0] + corners[1] + corners[2];
         let centre = Vec2::new(sum.x / 3.0, sum.y / 3.0);
-        let squared = corners.iter().fold(0.0, |r: f64, corner| r.max(distance_squared(centre, *corner)));
+        let squared =
+            corners.iter().fold(0.0, |r: f64, corner| r.max(distance_squared(centre, *corner)));
         Self { element, tag, centre, radius: squared.sqrt(), cell: [0; 2] }
     }
 }

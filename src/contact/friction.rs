@@ -51,9 +51,8 @@ impl PairTable {
         let mut pairs = Vec::with_capacity(materials.len() * materials.len());
         for (p, a) in materials.iter().enumerate() {
             for (q, b) in materials.iter().enumerate() {
-                let touch = p <= q
-                    && a.kind.takes_part_in_contact()
-                    && b.kind.takes_part_in_contact();
+                let touch =
+                    p <= q && a.kind.takes_part_in_contact() && b.kind.takes_part_in_contact();
                 pairs.push(touch.then(|| PairProperties::of(a, b)));
             }
         }

@@ -92,6 +92,14 @@ impl Contact {
         }
     }
 
+    /// Takes over settings of a later stage; the couples stay.
+    pub fn restate(&mut self, settings: ContactSettings, travel: Option<f64>) {
+        self.settings = settings;
+        if let Some(travel) = travel {
+            self.travel = travel;
+        }
+    }
+
     /// Work done so far.
     #[must_use]
     pub fn work(&self) -> CoupleWork {

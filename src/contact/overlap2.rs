@@ -96,11 +96,9 @@ impl Placement {
             let (p, q) = (&corners[1][i], &corners[0][i]);
             [f64x2::new([p.x, q.x]), f64x2::new([p.y, q.y])]
         };
-        let (own, other) =
-            ([lanes(0), lanes(1), lanes(2)], [swapped(0), swapped(1), swapped(2)]);
+        let (own, other) = ([lanes(0), lanes(1), lanes(2)], [swapped(0), swapped(1), swapped(2)]);
         let normal = |from: [f64x2; 2], to: [f64x2; 2]| [to[1] - from[1], from[0] - to[0]];
-        let normals =
-            [normal(own[0], own[1]), normal(own[1], own[2]), normal(own[2], own[0])];
+        let normals = [normal(own[0], own[1]), normal(own[1], own[2]), normal(own[2], own[0])];
         let other_normals =
             [normal(other[0], other[1]), normal(other[1], other[2]), normal(other[2], other[0])];
         let double = |c: &[[f64x2; 2]; 3]| {
@@ -226,8 +224,11 @@ pub fn overlap(
             if !side.acts {
                 side.acts = true;
                 side.own = [Vec2::zeros(); 3];
-                side.shares =
-                    [placement.of_corner(t, 0), placement.of_corner(t, 1), placement.of_corner(t, 2)];
+                side.shares = [
+                    placement.of_corner(t, 0),
+                    placement.of_corner(t, 1),
+                    placement.of_corner(t, 2),
+                ];
             }
             let normal = placement.normal(t, i);
             let s = profile.mean_parameter();

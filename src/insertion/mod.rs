@@ -149,8 +149,10 @@ fn execute_pass(
             }
             4 => {
                 mesh.stage = "separation";
-                let only: Vec<usize> =
-                    tagged.into_iter().filter(|&e| usize::try_from(properties[e]).ok() == first).collect();
+                let only: Vec<usize> = tagged
+                    .into_iter()
+                    .filter(|&e| usize::try_from(properties[e]).ok() == first)
+                    .collect();
                 joints::separate(&mut mesh, &only)?;
             }
             _ => {}

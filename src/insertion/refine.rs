@@ -76,13 +76,9 @@ pub(super) fn into_six(
         let v = mesh.elements.corners::<3>(element);
         let m = mid_nodes.of_triangle(mesh, v);
         let c = push_centre(mesh, v);
-        for corners in [
-            [m[0], v[1], c],
-            [v[1], m[1], c],
-            [m[1], v[2], c],
-            [v[2], m[2], c],
-            [m[2], v[0], c],
-        ] {
+        for corners in
+            [[m[0], v[1], c], [v[1], m[1], c], [m[1], v[2], c], [v[2], m[2], c], [m[2], v[0], c]]
+        {
             append_triangle(mesh, element, corners);
         }
         set_corners(mesh, element, [v[0], m[0], c]);
@@ -126,9 +122,8 @@ fn finish_triangle(
     mid_nodes: [usize; 3],
     first_material: Option<usize>,
 ) -> Result<(), CapacityError> {
-    let mark_all = first_material
-        .and_then(|m| mesh.materials.get(m))
-        .is_some_and(|m| m.boundary_marking < 1);
+    let mark_all =
+        first_material.and_then(|m| mesh.materials.get(m)).is_some_and(|m| m.boundary_marking < 1);
     if mark_all {
         for node in corners.into_iter().chain(mid_nodes) {
             mesh.nodes.boundary_flag[node] = 1;

@@ -18,15 +18,18 @@ pub struct JointResponse {
     pub fails: bool,
 }
 
-/// Opening, sliding and damage of a joint at its three points.
+/// State of a joint for output.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct JointState {
-    /// Opening (positive) or overlap (negative), m.
-    pub opening: [f64; 3],
-    /// Sliding, m.
-    pub sliding: [f64; 3],
-    /// Damage in [0, 1].
-    pub damage: [f64; 3],
+    /// Opening (positive) or overlap (negative) in the middle, m.
+    pub opening: f64,
+    /// Sliding in the middle, m.
+    pub sliding: f64,
+    /// Largest damage of the three points, in [0, 1].
+    pub damage: f64,
+    /// 1 where the damage comes from opening alone, 2 from sliding alone, 1.5
+    /// from both alike; 0 without damage.
+    pub mode: f64,
 }
 
 /// Middle line and relative displacements of a joint.
@@ -171,10 +174,24 @@ impl JointResponse {
 pub fn state(law: &CohesiveLaw, corners: &[Vec2; 4], shear_strength: f64) -> JointState {
     let geometry = Geometry::new(corners);
     let limits = Limits::new(law, shear_strength, geometry.length);
-    let damage = std::array::from_fn(|point| {
-        limits.damage(geometry.opening[point], geometry.sliding[point].abs()).min(1.0)
-    });
-    JointState { opening: geometry.opening, sliding: geometry.sliding, damage }
+    let (mut damage, mut mode) = (0.0, 0.0);
+    for (&opening, sliding) in geometry.opening.iter().zip(geometry.sliding) {
+        let at_point = limits.damage(opening, sliding.abs()).min(1.0);
+        if at_point > damage {
+            let in_opening = (opening - limits.peak_opening) / limits.softening_opening;
+            let in_sliding = (sliding.abs() - limits.peak_sliding) / limits.softening_sliding;
+            let angle = in_sliding.max(0.0).atan2(in_opening.max(0.0));
+            (damage, mode) = (at_point, 1.0 + angle / std::f64::consts::FRAC_PI_2);
+        }
+    }
+    JointState { opening: geometry.opening[1], sliding: geometry.sliding[1], damage, mode }
+}
+
+/// Opening and sliding in the middle of a joint that carries nothing any more, m.
+#[must_use]
+pub fn separation(corners: &[Vec2; 4]) -> (f64, f64) {
+    let geometry = Geometry::new(corners);
+    (geometry.opening[1], geometry.sliding[1])
 }
 
 /// The larger of two numbers, the second if they do not compare.

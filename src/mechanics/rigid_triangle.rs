@@ -24,7 +24,8 @@ pub fn advance(
     dt: f64,
 ) -> RigidMotion {
     let mean = |v: &[Vec2; 3]| (v[0] + v[1] + v[2]) / 3.0;
-    let (mut centre, mut centre_velocity, force) = (mean(positions), mean(velocities), mean(forces));
+    let (mut centre, mut centre_velocity, force) =
+        (mean(positions), mean(velocities), mean(forces));
     let arm = positions.map(|x| x - centre);
     let relative_velocity = velocities.map(|v| v - centre_velocity);
     let (mut moment, mut spin, mut inertia) = (0.0, 0.0, 0.0);

@@ -13,8 +13,7 @@ const C: f64 = 6.0;
 #[inline]
 #[must_use]
 pub fn remaining_strength(damage: f64) -> f64 {
-    (1.0 - ((A + B - 1.0) / (A + B))
-        * (damage * (A + C * B) / ((A + B) * (1.0 - A - B))).exp())
+    (1.0 - ((A + B - 1.0) / (A + B)) * (damage * (A + C * B) / ((A + B) * (1.0 - A - B))).exp())
         * (A * (1.0 - damage) + B * (1.0 - damage).powf(C))
 }
 
@@ -42,7 +41,13 @@ mod tests {
         let h = 1.0 / f64::from(n);
         let sum: f64 = (0..=n)
             .map(|i| {
-                let weight = if i == 0 || i == n { 1.0 } else if i % 2 == 1 { 4.0 } else { 2.0 };
+                let weight = if i == 0 || i == n {
+                    1.0
+                } else if i % 2 == 1 {
+                    4.0
+                } else {
+                    2.0
+                };
                 weight * remaining_strength(f64::from(i) * h)
             })
             .sum();

@@ -66,7 +66,9 @@ impl Kinematics {
         let gradient = product(&self::edges(velocities), &inverse(&edges, double_area));
         Self {
             left_cauchy_green: product(&deformation, &deformation.transpose()),
-            rate_of_deformation: Matrix2::from_fn(|i, j| 0.5 * (gradient[(i, j)] + gradient[(j, i)])),
+            rate_of_deformation: Matrix2::from_fn(|i, j| {
+                0.5 * (gradient[(i, j)] + gradient[(j, i)])
+            }),
             double_area,
         }
     }
@@ -74,7 +76,11 @@ impl Kinematics {
     /// Shear and viscous part of the Cauchy stress, (μ/J)(B − I) + η D.
     #[inline]
     #[must_use]
-    pub fn deviator_like(&self, elasticity: &Elasticity, reference: &ReferenceShape) -> Matrix2<f64> {
+    pub fn deviator_like(
+        &self,
+        elasticity: &Elasticity,
+        reference: &ReferenceShape,
+    ) -> Matrix2<f64> {
         let compression = reference.double_area / self.double_area;
         Matrix2::from_fn(|i, j| {
             let identity = if i == j { 0.5 } else { 0.0 };
@@ -129,6 +135,22 @@ pub fn nodal_forces(stress: &Matrix2<f64>, corners: &[Vec2; 3]) -> [Vec2; 3] {
 pub fn opposite_normal(corners: &[Vec2; 3], i: usize) -> Vec2 {
     let (from, to) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
     Vec2::new(to.y - from.y, from.x - to.x)
+}
+
+/// Whether a point lies strictly inside a counter-clockwise triangle.
+#[must_use]
+pub fn contains(corners: &[Vec2; 3], point: Vec2) -> bool {
+    (0..3).all(|i| {
+        let edge = corners[(i + 1) % 3] - corners[i];
+        let to_point = point - corners[i];
+        edge.x * to_point.y - edge.y * to_point.x > 0.0
+    })
+}
+
+/// Twice the area of a triangle, m²; negative if its corners run clockwise.
+#[must_use]
+pub fn double_area(corners: &[Vec2; 3]) -> f64 {
+    determinant(&edges(corners))
 }
 
 #[inline]
@@ -203,7 +225,8 @@ mod tests {
     #[test]
     fn rigid_rotation_is_free_of_stress() {
         let (s, c) = 0.7f64.sin_cos();
-        let corners = [Vec2::new(2.0, 1.0), Vec2::new(2.0 + c, 1.0 + s), Vec2::new(2.0 - s, 1.0 + c)];
+        let corners =
+            [Vec2::new(2.0, 1.0), Vec2::new(2.0 + c, 1.0 + s), Vec2::new(2.0 - s, 1.0 + c)];
         let stress = cauchy_stress(&ELASTICITY, &unit_triangle(), &corners, &[Vec2::zeros(); 3]);
         assert!(stress.amax() < 1e-5, "{stress}");
     }

@@ -29,3 +29,19 @@ pub struct JointPair {
     /// Joint set.
     pub joint_set: i32,
 }
+
+impl Combination {
+    /// Whether a digit of the code asks for joints.
+    #[must_use]
+    pub fn inserts_joints(&self) -> bool {
+        self.code.to_string().contains('3')
+    }
+}
+
+impl Insertion {
+    /// Whether joints will be inserted.
+    #[must_use]
+    pub fn inserts_joints(&self) -> bool {
+        self.combinations.iter().any(Combination::inserts_joints)
+    }
+}

@@ -6,6 +6,7 @@
 mod boundary;
 mod contact;
 mod control;
+mod from_deck;
 mod materials;
 mod mesh;
 mod meshing;
@@ -14,6 +15,7 @@ mod probes;
 pub use boundary::{Condition, LoadHistory, NodeSet};
 pub use contact::ContactSettings;
 pub use control::Control;
+pub use from_deck::{BuildOutcome, Profile, from_deck, update_scene};
 pub use materials::{CohesiveLaw, ElementKind, Material};
 pub use mesh::{BROKEN_JOINT, CLOSED_EDGE, Elements, Nodes};
 pub use meshing::{Combination, Insertion, JointPair};
@@ -52,4 +54,20 @@ pub struct Scene {
     /// Change of a probe's value below which the stored value is kept:
     /// absolute for all quantities but the kinetic energy, where it is relative.
     pub probe_threshold: f64,
+}
+
+impl Scene {
+    /// Whether a point (initial coordinates, m) lies strictly inside an elastic
+    /// triangle.
+    #[must_use]
+    pub fn contains_point(&self, point: nalgebra::Vector2<f64>) -> bool {
+        (0..self.elements.len()).any(|e| {
+            let elastic = usize::try_from(self.elements.property[e])
+                .ok()
+                .and_then(|p| self.materials.get(p))
+                .is_some_and(|m| m.kind == ElementKind::ElasticTriangle);
+            let corners = || self.elements.corners::<3>(e).map(|n| self.nodes.initial[n]);
+            elastic && crate::mechanics::triangle::contains(&corners(), point)
+        })
+    }
 }

@@ -77,7 +77,8 @@ impl Simulation {
             );
             self.stress[element] = stress;
             let internal = triangle::nodal_forces(&stress, &corners);
-            let mass = softening.mass_factor * material.density * planned.reference.double_area / 6.0;
+            let mass =
+                softening.mass_factor * material.density * planned.reference.double_area / 6.0;
             for (&node, internal) in planned.corners.iter().zip(&internal) {
                 self.mass[node as usize] += mass;
                 force[node as usize] += internal;

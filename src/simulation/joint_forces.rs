@@ -1,4 +1,4 @@
-use super::Simulation;
+use super::{JointFailure, Simulation};
 use crate::{
     mechanics::joint2,
     scene::{BROKEN_JOINT, ElementKind},
@@ -8,7 +8,7 @@ impl Simulation {
     /// Forces of all live joints, joint sets ascending, elements ascending.
     /// A joint that fails still acts in this step.
     pub(super) fn add_joint_forces(&mut self) {
-        let mut failed = 0;
+        let failed_before = self.failures.len();
         for joint in &self.plan.joints {
             let element = joint.element as usize;
             let corners = joint.corners.map(|n| self.scene.nodes.current[n as usize]);
@@ -17,11 +17,17 @@ impl Simulation {
             response.scatter(joint.corners.map(|n| n as usize), &mut self.force);
             if response.fails {
                 self.scene.elements.property[element] = BROKEN_JOINT;
-                failed += 1;
+                let mode = joint2::state(law, &corners, self.strength[element]).mode;
+                self.failures.push(JointFailure {
+                    element,
+                    step: self.step,
+                    time: self.time,
+                    mode,
+                    law: joint.law as usize,
+                });
             }
         }
-        if failed > 0 {
-            self.broken_joints += failed;
+        if self.failures.len() > failed_before {
             let property = &self.scene.elements.property;
             self.plan.joints.retain(|j| property[j.element as usize] != BROKEN_JOINT);
         }

@@ -1,6 +1,6 @@
 //! The step loop (spec `y2d3d.md` B).
 //!
-//! One step is [`Simulation::evaluate_forces`], then output of the state that
+//! After [`Simulation::prepare`] one step is [`Simulation::evaluate_forces`], then output of the state that
 //! belongs to those forces, then [`Simulation::advance`].
 
 mod contact_step;
@@ -22,7 +22,7 @@ use crate::{
 use nalgebra::Matrix2;
 use plan::Plan;
 
-pub use view::{JointView, joint_views};
+pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
 /// Choices that change how fast a simulation runs, never its results.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -57,8 +57,7 @@ pub struct Simulation {
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
     insertion_report: Option<InsertionReport>,
-    starts_block: bool,
-    broken_joints: usize,
+    failures: Vec<JointFailure>,
 }
 
 impl Simulation {
@@ -85,8 +84,7 @@ impl Simulation {
             strength: Vec::new(),
             kinetic_energy: 0.0,
             insertion_report: None,
-            starts_block: true,
-            broken_joints: 0,
+            failures: Vec::new(),
         }
     }
 
@@ -96,37 +94,12 @@ impl Simulation {
         self.step >= self.scene.control.end_step
     }
 
-    /// First half of a step: meshing (first step only), internal forces,
-    /// joints, contact detection and contact forces.
+    /// Meshing, initial strengths and element lists: once before the first
+    /// step of each stage of the deck.
     ///
     /// # Errors
     /// If meshing needs more nodes or elements than the deck leaves room for.
-    pub fn evaluate_forces(&mut self) -> Result<(), CapacityError> {
-        if self.starts_block {
-            self.start_block()?;
-        }
-        self.clear_forces();
-        self.add_element_forces();
-        self.add_joint_forces();
-        self.add_contact_forces();
-        self.record_nodal_forces();
-        Ok(())
-    }
-
-    /// Second half of a step: new velocities and positions, kinetic energy,
-    /// fracture of softening triangles, time.
-    pub fn advance(&mut self) {
-        self.move_nodes();
-        self.move_rigid_triangles();
-        self.update_kinetic_energy();
-        self.fracture_triangles();
-        self.time += self.scene.control.time_step;
-        self.step += 1;
-    }
-
-    /// Meshing, initial strengths and element lists.
-    fn start_block(&mut self) -> Result<(), CapacityError> {
-        self.starts_block = false;
+    pub fn prepare(&mut self) -> Result<(), CapacityError> {
         let scene = &mut self.scene;
         if let Some(insertion) = &mut scene.insertion {
             let report = insertion::execute(
@@ -143,6 +116,51 @@ impl Simulation {
         self.set_initial_strengths();
         self.rebuild();
         Ok(())
+    }
+
+    /// Goes on with a scene that a later stage of the deck has changed;
+    /// [`Self::prepare`] comes next. `travel` restates how far nodes have
+    /// travelled since the last contact detection, m.
+    pub fn continue_with(&mut self, scene: Scene, travel: Option<f64>) {
+        self.step = scene.control.first_step;
+        self.time = scene.control.start_time;
+        self.contact = match (self.contact.take(), &scene.contact) {
+            (Some(mut contact), Some(settings)) => {
+                contact.restate(settings.clone(), travel);
+                Some(contact)
+            }
+            (None, Some(settings)) => Some(Contact::new(settings.clone(), true)),
+            (_, None) => None,
+        };
+        for (value, (old, new)) in
+            self.probe_values.iter_mut().zip(self.scene.probes.iter().zip(&scene.probes))
+        {
+            if old != new {
+                *value = new.initial_value;
+            }
+        }
+        self.scene = scene;
+    }
+
+    /// First half of a step: internal forces, joints, contact detection and
+    /// contact forces.
+    pub fn evaluate_forces(&mut self) {
+        self.clear_forces();
+        self.add_element_forces();
+        self.add_joint_forces();
+        self.add_contact_forces();
+        self.record_nodal_forces();
+    }
+
+    /// Second half of a step: new velocities and positions, kinetic energy,
+    /// fracture of softening triangles, time.
+    pub fn advance(&mut self) {
+        self.move_nodes();
+        self.move_rigid_triangles();
+        self.update_kinetic_energy();
+        self.fracture_triangles();
+        self.time += self.scene.control.time_step;
+        self.step += 1;
     }
 
     /// Takes over a changed mesh.

@@ -4,7 +4,7 @@
 use crate::{
     mechanics::{
         Vec2,
-        triangle::{Elasticity, ReferenceShape},
+        triangle::{Elasticity, ReferenceShape, contains},
     },
     scene::{ElementKind, ProbeQuantity, Scene},
 };
@@ -158,7 +158,11 @@ impl Plan {
         for element in 0..scene.elements.len() {
             if scene.elements.property[element] == property {
                 let corners = scene.elements.corners::<4>(element).map(|n| n as u32);
-                self.joints.push(PlannedJoint { element: element as u32, law: law as u32, corners });
+                self.joints.push(PlannedJoint {
+                    element: element as u32,
+                    law: law as u32,
+                    corners,
+                });
             }
         }
     }
@@ -178,20 +182,10 @@ impl Plan {
     }
 }
 
-/// Whether a point lies strictly inside a counter-clockwise triangle.
-fn contains(corners: &[Vec2; 3], point: Vec2) -> bool {
-    (0..3).all(|i| {
-        let edge = corners[(i + 1) % 3] - corners[i];
-        let to_point = point - corners[i];
-        edge.x * to_point.y - edge.y * to_point.x > 0.0
-    })
-}
-
 /// Whether both ends of an edge belong to node sets with pressure or traction.
 fn has_loaded_edge(scene: &Scene, corners: &[usize; 3]) -> bool {
-    let set = |n: usize| {
-        usize::try_from(scene.nodes.set[n]).ok().and_then(|s| scene.node_sets.get(s))
-    };
+    let set =
+        |n: usize| usize::try_from(scene.nodes.set[n]).ok().and_then(|s| scene.node_sets.get(s));
     let loaded = corners.map(|n| set(n).is_some_and(|s| s.pressure != 0.0 || s.traction != 0.0));
     loaded.iter().filter(|&&l| l).count() > 1
 }

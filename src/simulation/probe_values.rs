@@ -9,7 +9,8 @@ impl Simulation {
     /// Updates the probes inside elastic triangles.
     pub(super) fn record_element_probes(&mut self) {
         for i in 0..self.plan.probes.len() {
-            let (probe, element) = (self.plan.probes[i].probe, self.plan.probes[i].element as usize);
+            let (probe, element) =
+                (self.plan.probes[i].probe, self.plan.probes[i].element as usize);
             let value = self.element_value(self.scene.probes[probe].quantity, element);
             self.store_if_changed(probe, value);
         }

@@ -5,9 +5,10 @@ use crate::{
     contact::CoupleWork,
     insertion::InsertionReport,
     mechanics::{Vec2, joint2, joint2::JointState},
-    scene::{BROKEN_JOINT, CLOSED_EDGE, Scene},
+    scene::{BROKEN_JOINT, ElementKind, Scene},
 };
 use nalgebra::Matrix2;
+use std::collections::HashMap;
 
 impl Simulation {
     /// The scene with nodes and elements as they are now.
@@ -72,11 +73,69 @@ impl Simulation {
         self.insertion_report
     }
 
-    /// Number of joints that failed so far.
+    /// Joints that failed so far, in the order of their failure.
     #[must_use]
-    pub fn broken_joints(&self) -> usize {
-        self.broken_joints
+    pub fn failures(&self) -> &[JointFailure] {
+        &self.failures
     }
+
+    /// Whether a result state is due at this step.
+    #[must_use]
+    pub fn is_output_step(&self) -> bool {
+        self.step.is_multiple_of(self.scene.control.output_interval)
+    }
+
+    /// Elements that are triangles, ascending.
+    pub fn triangles(&self) -> impl Iterator<Item = usize> + '_ {
+        let materials = self.scene.materials.len();
+        let property = &self.scene.elements.property;
+        (0..property.len())
+            .filter(move |&e| usize::try_from(property[e]).is_ok_and(|p| p < materials))
+    }
+
+    /// Damage of each element, if the scene has softening triangles: 0 where
+    /// there is none, −1 for triangles that have detached.
+    #[must_use]
+    pub fn triangle_damage(&self) -> Option<Vec<f64>> {
+        let softens = |p: i32| {
+            let material = usize::try_from(p).ok().and_then(|p| self.scene.materials.get(p));
+            material.filter(|m| m.kind == ElementKind::SofteningTriangle)
+        };
+        let elements = &self.scene.elements;
+        elements.property.iter().any(|&p| softens(p).is_some()).then(|| {
+            let damage = |e: usize| {
+                softens(elements.property[e])
+                    .map_or(0.0, |m| elements.state[m.damage_row as usize][e])
+            };
+            (0..elements.len()).map(damage).collect()
+        })
+    }
+}
+
+/// How a joint is doing.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum JointCondition {
+    /// Below its strength everywhere.
+    Intact = 0,
+    /// Softening at one point at least.
+    Softening = 1,
+    /// Failed: carries nothing any more.
+    Broken = 2,
+}
+
+/// When and how a joint failed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct JointFailure {
+    /// Element number.
+    pub element: usize,
+    /// Step index.
+    pub step: u64,
+    /// Physical time, s.
+    pub time: f64,
+    /// 1 in tension, 2 in shear, between them in both.
+    pub mode: f64,
+    /// Cohesive law.
+    pub law: usize,
 }
 
 /// A joint as output shows it.
@@ -84,31 +143,57 @@ impl Simulation {
 pub struct JointView {
     /// Element number.
     pub element: usize,
-    /// Cohesive law, unless the joint is broken.
-    pub law: Option<usize>,
+    /// Cohesive law that it has or had.
+    pub law: usize,
     /// Nodes a, b, c, d.
     pub nodes: [usize; 4],
-    /// Opening, sliding and damage, for live joints.
-    pub state: Option<JointState>,
+    /// Condition.
+    pub condition: JointCondition,
+    /// Largest damage of its points, in [0, 1].
+    pub damage: f64,
+    /// Opening in the middle, m.
+    pub opening: f64,
+    /// Sliding in the middle, m.
+    pub sliding: f64,
+    /// When and how it failed.
+    pub failure: Option<JointFailure>,
 }
 
-/// All joints, live and broken; closed edges are left out.
+/// All joints, live and broken, elements ascending; closed edges and joints
+/// without cohesive law are left out.
 pub fn joint_views(simulation: &Simulation) -> impl Iterator<Item = JointView> + '_ {
     let scene = &simulation.scene;
+    let failures: HashMap<usize, JointFailure> =
+        simulation.failures.iter().map(|failure| (failure.element, *failure)).collect();
     (0..scene.elements.len()).filter_map(move |element| {
         let property = scene.elements.property[element];
-        let nodes = scene.elements.nodes[element];
-        if property == CLOSED_EDGE || nodes[3] < 0 {
+        if scene.elements.nodes[element][3] < 0 {
             return None;
         }
-        let nodes = [0, 1, 2, 3].map(|i| nodes[i] as usize);
+        let nodes = scene.elements.corners::<4>(element);
+        let corners = nodes.map(|n| scene.nodes.current[n]);
         if property == BROKEN_JOINT {
-            return Some(JointView { element, law: None, nodes, state: None });
+            let failure = failures.get(&element).copied();
+            let (opening, sliding) = joint2::separation(&corners);
+            let (condition, damage) = (JointCondition::Broken, 1.0);
+            let law = failure.map_or(0, |f| f.law);
+            return Some(JointView {
+                element,
+                law,
+                nodes,
+                condition,
+                damage,
+                opening,
+                sliding,
+                failure,
+            });
         }
         let law = usize::try_from(property).ok()?.checked_sub(scene.materials.len())?;
-        let cohesive = scene.cohesive_laws.get(law)?;
-        let corners = nodes.map(|n| scene.nodes.current[n]);
+        let cohesive = scene.cohesive_laws.get(law).filter(|l| l.is_cohesive)?;
         let state = joint2::state(cohesive, &corners, simulation.strength[element]);
-        Some(JointView { element, law: Some(law), nodes, state: Some(state) })
+        let condition =
+            if state.damage > 0.0 { JointCondition::Softening } else { JointCondition::Intact };
+        let JointState { opening, sliding, damage, .. } = state;
+        Some(JointView { element, law, nodes, condition, damage, opening, sliding, failure: None })
     })
 }

@@ -1,0 +1,64 @@
+//! What kind of file something is, by its content: Y's users name files as they like.
+
+use std::fs::File;
+use std::io::Read;
+use std::path::Path;
+
+use yformat::d3plot::{ControlBlock, StateLayout};
+use yformat::history::History;
+
+use crate::error::{ConvertError, at};
+
+/// Kinds of files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum FileKind {
+    /// First file of a d3plot family.
+    D3plot,
+    /// A `.yh` history.
+    History,
+    /// None of these.
+    Unknown,
+}
+
+/// How much of a file is looked at.
+const HEAD: u64 = 4096;
+
+/// Looks into the file at `path`.
+pub fn detect_file(path: &Path) -> Result<FileKind, ConvertError> {
+    let mut head = Vec::new();
+    File::open(path).and_then(|file| file.take(HEAD).read_to_end(&mut head)).map_err(at(path))?;
+    Ok(detect(&head))
+}
+
+/// Tells the kind of a file from its first bytes (4096 are plenty).
+///
+/// ```
+/// use ypsilon_converters::detect::{FileKind, detect};
+/// assert_eq!(detect(b"+0.0000000000e+00 +0.0000000000e+00\n"), FileKind::History);
+/// assert_eq!(detect(b"/YD/YDC/MCSTEP 600\n"), FileKind::Unknown);
+/// ```
+pub fn detect(head: &[u8]) -> FileKind {
+    if is_d3plot(head) {
+        FileKind::D3plot
+    } else if is_history(head) {
+        FileKind::History
+    } else {
+        FileKind::Unknown
+    }
+}
+
+/// A control block that can be read, with elements: text never passes, its words are huge.
+fn is_d3plot(head: &[u8]) -> bool {
+    head.first_chunk::<{ ControlBlock::BYTES }>().map(ControlBlock::from_bytes).is_some_and(
+        |control| StateLayout::new(&control).is_ok_and(|layout| layout.solids + layout.shells > 0),
+    )
+}
+
+/// The first whole line is a time and a value, both printed with sign and exponent.
+fn is_history(head: &[u8]) -> bool {
+    let end = head.iter().position(|&b| b == b'\n').unwrap_or(head.len());
+    let (line, _) = head.split_at(end);
+    line.first().is_some_and(|&b| matches!(b, b'+' | b'-'))
+        && line.len() < 100
+        && History::parse(line).is_ok_and(|history| history.points.len() == 1)
+}

@@ -1,0 +1,62 @@
+//! What can go wrong in a conversion.
+
+use std::io;
+use std::path::{Path, PathBuf};
+
+/// Why a file cannot be converted or written.
+#[derive(Debug, thiserror::Error)]
+pub enum ConvertError {
+    /// The operating system refused.
+    #[error("{path}: {source}", path = path.display())]
+    Io {
+        /// The file.
+        path: PathBuf,
+        /// The refusal.
+        source: io::Error,
+    },
+    /// The content is of no kind that can be converted.
+    #[error("{path} is neither a d3plot family nor a history", path = path.display())]
+    Unrecognised {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The d3plot family cannot be read.
+    #[error(transparent)]
+    D3plot(#[from] yformat::d3plot::ReadError),
+    /// The history cannot be read.
+    #[error("{path}: {source}", path = path.display())]
+    History {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: yformat::history::HistoryError,
+    },
+    /// An element names a node that does not exist.
+    #[error("element {element} names node {node}, but nodes run from 1 to {nodes}")]
+    NoSuchNode {
+        /// Element number, from 1.
+        element: usize,
+        /// The node it names.
+        node: i32,
+        /// Number of nodes.
+        nodes: usize,
+    },
+    /// States lack what a conversion needs.
+    #[error("the states hold no {0}")]
+    Missing(&'static str),
+    /// An array of a grid has a length that does not fit the grid.
+    #[error("array {array:?} holds {found} values where {expected} are needed")]
+    ArrayLength {
+        /// Name of the array.
+        array: String,
+        /// Values needed.
+        expected: usize,
+        /// Values there.
+        found: usize,
+    },
+}
+
+/// Adds the path to an error of the operating system.
+pub(crate) fn at(path: &Path) -> impl Fn(io::Error) -> ConvertError + '_ {
+    |source| ConvertError::Io { path: path.to_path_buf(), source }
+}

@@ -1,0 +1,35 @@
+//! Files are recognised by content.
+
+use std::fs;
+use std::path::Path;
+
+use ypsilon_converters::detect::{FileKind, detect, detect_file};
+
+#[test]
+fn d3plot_families_are_recognised() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../yformat/tests/data/d3plot");
+    for entry in fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        assert_eq!(detect_file(&path).unwrap(), FileKind::D3plot, "{}", path.display());
+    }
+}
+
+#[test]
+fn histories_are_recognised() {
+    for text in [
+        "+0.0000000000e+000 +0.0000000000e+000\r\n",
+        "+0.000e+00 +1.388e+02\n +0.000e+00 +0.000e+00\n",
+        "+0.0e+00-1.0e+00",
+    ] {
+        assert_eq!(detect(text.as_bytes()), FileKind::History, "{text}");
+    }
+}
+
+#[test]
+fn other_files_are_unknown() {
+    let deck = "/* a deck */\n/YD/YDC/MCSTEP 600\n".repeat(50);
+    for bytes in [&b""[..], b"\n", b"time,value\n", deck.as_bytes(), &[0; 256], &[0xff; 256]] {
+        assert_eq!(detect(bytes), FileKind::Unknown);
+    }
+    assert!(detect_file(Path::new("no such file")).is_err());
+}

@@ -1,0 +1,45 @@
+use super::{Exit, deck_report, run::parse_dialect};
+use crate::{
+    scene::Profile,
+    session::load,
+    simulation::{SolverOptions, joint_views},
+};
+use clap::Args;
+use std::path::PathBuf;
+use yformat::{diagnostic::Severity, dialect::Dialect};
+
+/// What to check.
+#[derive(Debug, Args)]
+pub(super) struct CheckArguments {
+    /// Input decks
+    #[arg(required = true)]
+    decks: Vec<PathBuf>,
+    /// Take the decks for ones of this dialect instead of recognising it
+    #[arg(long, value_name = "NAME", value_parser = parse_dialect)]
+    dialect: Option<Dialect>,
+}
+
+/// Checks decks: findings, then what they hold.
+pub(super) fn main(arguments: &CheckArguments) -> Exit {
+    let mut exit = Exit::Done;
+    for deck in &arguments.decks {
+        match load(deck, arguments.dialect, Profile::default(), SolverOptions::default()) {
+            Err(fault) => exit = deck_report::print_fault(&fault, false),
+            Ok(loaded) => {
+                deck_report::print(&loaded.findings, loaded.deck.sources(), Severity::Note);
+                match &loaded.simulation {
+                    None => println!("{}: nothing runs", deck.display()),
+                    Some(simulation) => println!(
+                        "{}: {} stages, {} nodes, {} triangles, {} joints: ready to run",
+                        deck.display(),
+                        loaded.stages.len(),
+                        simulation.scene().nodes.len(),
+                        simulation.triangles().count(),
+                        joint_views(simulation).count()
+                    ),
+                }
+            }
+        }
+    }
+    exit
+}

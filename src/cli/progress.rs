@@ -1,0 +1,145 @@
+use super::{deck_report, interrupt};
+use crate::{
+    output::TABLE_HEADER,
+    session::{Observer, Progress, RunSummary, StopReason},
+    simulation::Simulation,
+};
+use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::{
+    io::{IsTerminal, Write, stderr, stdout},
+    time::Duration,
+};
+use yformat::{
+    diagnostic::{Diagnostic, Severity},
+    source::SourceMap,
+};
+
+/// Shows a run on the screen: the original's table, and on a terminal a bar
+/// below it; elsewhere the bar's figures follow each row.
+pub(super) struct Screen {
+    bar: Option<ProgressBar>,
+    is_terminal: bool,
+}
+
+impl Screen {
+    pub fn new() -> Self {
+        Self { bar: None, is_terminal: stderr().is_terminal() }
+    }
+
+    fn print(&self, line: &str) {
+        match &self.bar {
+            Some(bar) => bar.suspend(|| say(line)),
+            None => say(line),
+        }
+    }
+}
+
+/// Prints a line. A screen that is gone (a closed pipe, say) is no reason to
+/// end a run.
+fn say(line: &str) {
+    let _ = writeln!(stdout(), "{line}");
+}
+
+fn rate(progress: &Progress) -> f64 {
+    progress.done as f64 / progress.seconds.max(1e-9)
+}
+
+fn time_left(progress: &Progress) -> Duration {
+    let rate = rate(progress);
+    if rate > 0.0 {
+        Duration::from_secs_f64((progress.total - progress.done) as f64 / rate)
+    } else {
+        Duration::ZERO
+    }
+}
+
+impl Observer for Screen {
+    fn stage_starts(&mut self, deck: &str, simulation: &Simulation, steps: u64) {
+        let scene = simulation.scene();
+        say(&format!("\nNEW INPUT: {deck}"));
+        say(&format!(
+            "{} nodes, {} triangles, {} joints, {} materials; {} steps of {:e} s",
+            scene.nodes.len(),
+            simulation.triangles().count(),
+            crate::simulation::joint_views(simulation).count(),
+            scene.materials.len(),
+            steps,
+            scene.control.time_step
+        ));
+        say("Start calculating ...");
+        if self.is_terminal {
+            say(TABLE_HEADER);
+            let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr());
+            let style = ProgressStyle::with_template("{bar:24} {percent:>3}% {msg}");
+            self.bar = Some(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())));
+        } else {
+            say(&format!("{TABLE_HEADER}   Kinetic energy     Steps/s   Time left"));
+        }
+    }
+
+    fn findings(&mut self, findings: &[Diagnostic], sources: &SourceMap) {
+        deck_report::print(findings, sources, Severity::Warning);
+    }
+
+    fn warning(&mut self, text: &str) {
+        eprintln!("warning: {text}");
+    }
+
+    fn row(&mut self, row: &str, progress: &Progress) {
+        if self.is_terminal {
+            self.print(row);
+            self.progress(progress);
+        } else {
+            say(&format!(
+                "{row}  {:15.7e} {:11.1} {:>11}",
+                progress.kinetic_energy,
+                rate(progress),
+                format!("{:.0} s", time_left(progress).as_secs_f64())
+            ));
+        }
+    }
+
+    fn progress(&mut self, progress: &Progress) {
+        if let Some(bar) = &self.bar {
+            bar.set_length(progress.total);
+            bar.set_position(progress.done);
+            bar.set_message(format!(
+                "step {}  t {:.4e} s  Ek {:.3e} J  {:.0} steps/s  {} left",
+                progress.step,
+                progress.time,
+                progress.kinetic_energy,
+                rate(progress),
+                HumanDuration(time_left(progress))
+            ));
+        }
+    }
+
+    fn wants_stop(&self) -> bool {
+        interrupt::is_requested()
+    }
+
+    fn finished(&mut self, summary: &RunSummary) {
+        if let Some(bar) = self.bar.take() {
+            bar.finish_and_clear();
+        }
+        if summary.stop == StopReason::Interrupted {
+            say(&format!("   interrupted: all files are complete up to time {:e} s", summary.time));
+        } else {
+            say("   ***** Y HAS ORDERLY FINISHED *****");
+        }
+        say(&format!(
+            "{} steps in {:.3} s: {:.1} ns per triangle-step, {:.3} million triangle-steps per second",
+            summary.steps,
+            summary.seconds,
+            1e9 / summary.triangle_steps_per_second.max(1e-300),
+            summary.triangle_steps_per_second / 1e6
+        ));
+        if summary.broken_joints > 0 {
+            say(&format!("{} joints have failed", summary.broken_joints));
+        }
+        let more = summary.files.len().saturating_sub(1);
+        if let Some(file) = summary.files.first() {
+            say(&format!("{} and {more} more files written", file.display()));
+        }
+    }
+}

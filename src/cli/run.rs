@@ -1,0 +1,133 @@
+use super::{Exit, deck_report, interrupt, progress::Screen};
+use crate::{
+    scene::Profile,
+    session::{Format, RunError, RunOptions, StopReason, load, run},
+    simulation::SolverOptions,
+};
+use clap::{Args, ValueEnum};
+use std::path::PathBuf;
+use yformat::{diagnostic::Severity, dialect::Dialect};
+
+/// What to run and what to write.
+#[derive(Debug, Args)]
+pub(super) struct RunArguments {
+    /// Input deck (`.y`)
+    deck: PathBuf,
+    /// Folder of the results, made if it does not exist
+    #[arg(long = "out", value_name = "DIR", default_value = ".")]
+    folder: PathBuf,
+    /// Result files to write
+    #[arg(long, value_delimiter = ',', value_name = "LIST", default_value = "d3plot,yh,vtu")]
+    formats: Vec<Format>,
+    /// Threads to compute with; results do not depend on it [default: all cores]
+    #[arg(long, value_name = "N")]
+    threads: Option<usize>,
+    /// Stop after so many steps, whatever the deck says
+    #[arg(long, value_name = "N")]
+    steps: Option<u64>,
+    /// Write the full-precision state after so many completed steps, as text
+    #[arg(long, value_delimiter = ',', value_name = "N,N,...")]
+    states: Vec<u64>,
+    /// Write the d3plot header exactly as the original did (today's readers
+    /// other than LS-PrePost refuse it)
+    #[arg(long)]
+    legacy_d3plot: bool,
+    /// Take the deck for one of this dialect instead of recognising it
+    #[arg(long, value_name = "NAME", value_parser = parse_dialect)]
+    dialect: Option<Dialect>,
+    /// Program to follow where the two originals of the split dialect differ
+    #[arg(long, value_enum, default_value_t = ProfileName::Windows)]
+    profile: ProfileName,
+    /// Evaluate every couple in every step (slower, same results)
+    #[arg(long, hide_short_help = true)]
+    no_skip: bool,
+    /// Print nothing but errors
+    #[arg(long, short)]
+    quiet: bool,
+}
+
+/// The two originals of the split dialect.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ProfileName {
+    /// The Windows program
+    Windows,
+    /// The published source: local axes are normalised
+    Source,
+}
+
+impl From<ProfileName> for Profile {
+    fn from(name: ProfileName) -> Self {
+        match name {
+            ProfileName::Windows => Self::Windows,
+            ProfileName::Source => Self::Source,
+        }
+    }
+}
+
+pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
+    name.parse().map_err(|_| {
+        let names: Vec<&str> = Dialect::ALL.iter().map(|d| d.name()).collect();
+        format!("there is no dialect `{name}`; there are {}", names.join(", "))
+    })
+}
+
+/// Runs a deck.
+pub(super) fn main(arguments: &RunArguments) -> Exit {
+    if let Some(threads) = arguments.threads {
+        if threads == 0 {
+            eprintln!("error: --threads needs at least 1");
+            return Exit::Usage;
+        }
+        if let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global() {
+            eprintln!("error: cannot start {threads} threads: {error}");
+            return Exit::Usage;
+        }
+    }
+    let solver = SolverOptions { skip_separated_couples: !arguments.no_skip };
+    let profile = Profile::from(arguments.profile);
+    let loaded = match load(&arguments.deck, arguments.dialect, profile, solver) {
+        Ok(loaded) => loaded,
+        Err(fault) => return deck_report::print_fault(&fault, arguments.quiet),
+    };
+    interrupt::install();
+    let options = RunOptions {
+        deck: arguments.deck.clone(),
+        folder: arguments.folder.clone(),
+        formats: arguments.formats.clone(),
+        states: arguments.states.clone(),
+        steps: arguments.steps,
+        legacy_d3plot: arguments.legacy_d3plot,
+        profile,
+    };
+    let outcome = if arguments.quiet {
+        run(loaded, &options, &mut Quiet)
+    } else {
+        run(loaded, &options, &mut Screen::new())
+    };
+    match outcome {
+        Ok(summary) if summary.stop == StopReason::Interrupted => Exit::Interrupted,
+        Ok(_) => Exit::Done,
+        Err(error) => report_failure(&error),
+    }
+}
+
+/// Says nothing, but stops when asked to.
+struct Quiet;
+
+impl crate::session::Observer for Quiet {
+    fn wants_stop(&self) -> bool {
+        interrupt::is_requested()
+    }
+}
+
+fn report_failure(error: &RunError) -> Exit {
+    if let RunError::Stage { sources, findings } = error {
+        deck_report::print(findings, sources, Severity::Warning);
+    }
+    eprintln!("error: {error}");
+    match error {
+        RunError::Output(_) => Exit::Output,
+        RunError::Unstable { .. } => Exit::Unstable,
+        RunError::Stage { .. } => Exit::Input,
+    }
+}

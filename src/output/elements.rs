@@ -1,0 +1,44 @@
+//! Which elements a d3plot file shows, and as which material.
+
+use crate::scene::{BROKEN_JOINT, Scene};
+
+/// Elements of a d3plot family: chosen at the first output, kept to the end.
+///
+/// Triangles, live joints and joints that have failed already; closed edges
+/// and elements without property have no record. (The original leaves joints
+/// that fail before the first output out of the list but not out of the
+/// states, which shifts every later value of the file: spec `y2d3d.md` I.26.)
+#[must_use]
+pub fn shown_elements(scene: &Scene) -> Vec<usize> {
+    (0..scene.elements.len())
+        .filter(|&e| {
+            let property = scene.elements.property[e];
+            property >= 0 || property == BROKEN_JOINT
+        })
+        .collect()
+}
+
+/// Whether an element is a joint: it has a fourth node.
+#[must_use]
+pub fn is_joint(scene: &Scene, element: usize) -> bool {
+    scene.elements.nodes[element][3] >= 0
+}
+
+/// Material number of an element as d3plot files count them, from 1; 0 for a
+/// broken joint. A joint belongs to the first material of the first table row
+/// that names its joint set.
+#[must_use]
+pub fn material_number(scene: &Scene, element: usize) -> i32 {
+    let property = scene.elements.property[element];
+    let materials = scene.materials.len() as i32;
+    if property < 0 {
+        return 0;
+    }
+    if property < materials {
+        return property + 1;
+    }
+    let set = property - materials;
+    let pairs = scene.insertion.iter().flat_map(|insertion| &insertion.pairs);
+    let row = pairs.into_iter().find(|pair| pair.joint_set == set);
+    row.map_or(set, |pair| pair.materials[0] + 1)
+}

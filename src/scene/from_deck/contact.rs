@@ -1,0 +1,137 @@
+use super::{Reader, reader::Offenders};
+use crate::scene::{ContactSettings, ElementKind, Scene};
+use yformat::diagnostic::Diagnostic;
+
+/// Sliding states that a couple needs: one for each edge of its two triangles.
+const SLIDING_STATES: i64 = 6;
+
+pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
+    let capacity = usize::try_from(reader.integer("YDI/MICOUP")).ok().filter(|&n| n > 0)?;
+    let states = reader.integer("YDI/MISTATE");
+    if states < SLIDING_STATES {
+        reader.report(
+            Diagnostic::warning(
+                "scene::sliding-states",
+                format!("MISTATE is {states}: the original writes beyond its arrays then"),
+            )
+            .at(reader.place("YDI/MISTATE").or_else(|| reader.word("YDI/MICOUP")))
+            .expected("6, one for each edge of two triangles")
+            .help("6 is used here; set /YD/YDI/MISTATE to 6 for the original"),
+        );
+    }
+    let buffer = reader.real("YDI/DIEZON");
+    if buffer < 0.0 {
+        reader.report(
+            Diagnostic::error(
+                "scene::value-range",
+                format!("the contact buffer DIEZON is {buffer}"),
+            )
+            .at(reader.place("YDI/DIEZON"))
+            .expected("a length of 0 or more, about a fifth of the smallest element"),
+        );
+    }
+    let sliding = reader.database.reals("YDI/D2SLDIS").filter(|f| f.item().is_some());
+    let slots = sliding.map_or(0, |f| f.given_shape().get(1).copied().unwrap_or(0));
+    Some(ContactSettings {
+        buffer,
+        initial_travel: reader.real("YDI/DIEDI"),
+        all_elements: reader.integer("YDC/IWFAST") == 0,
+        capacity,
+        initial_sliding: (0..slots)
+            .map(|slot| std::array::from_fn(|k| sliding.map_or(0.0, |f| f.get2(k, slot))))
+            .collect(),
+    })
+}
+
+/// Checks that need the whole scene.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    let Some(contact) = &scene.contact else { return };
+    let touches = |e: usize| {
+        usize::try_from(scene.elements.property[e])
+            .ok()
+            .and_then(|p| scene.materials.get(p))
+            .is_some_and(|m| m.kind.takes_part_in_contact())
+    };
+    let tagged = |e: usize| {
+        let flagged = |n: usize| scene.nodes.boundary_flag[n] == 1;
+        scene.elements.contact_tag[e] > 0 || scene.elements.corners::<3>(e).into_iter().any(flagged)
+    };
+    let candidates = (0..scene.elements.len()).filter(|&e| touches(e)).count();
+    let part = (0..scene.elements.len()).filter(|&e| touches(e) && tagged(e)).count();
+    // joint insertion and refinement flag nodes themselves
+    if candidates > 1 && part == 0 && !contact.all_elements && scene.insertion.is_none() {
+        reader.report(
+            Diagnostic::warning(
+                "scene::no-contact",
+                "no element takes part in contact: no node is flagged as boundary",
+            )
+            .at(reader.word("YDN/I1NOBF").or_else(|| reader.word("YDI/MICOUP")))
+            .expected("1 in I1NOBF for boundary nodes, or IWFAST 0 to let all elements take part"),
+        );
+    }
+    if contact.initial_travel < contact.buffer {
+        reader.report(
+            Diagnostic::warning(
+                "scene::late-detection",
+                format!(
+                    "DIEDI {} is below DIEZON {}: contact is not looked for until nodes have travelled {}",
+                    contact.initial_travel,
+                    contact.buffer,
+                    contact.buffer - contact.initial_travel
+                ),
+            )
+            .at(reader.place("YDI/DIEDI"))
+            .expected("a large number such as 200, which makes the first step look for contact"),
+        );
+    }
+    check_penalties(reader, scene);
+}
+
+fn check_penalties(reader: &mut Reader<'_>, scene: &Scene) {
+    let used = |set: usize| scene.elements.property.contains(&(set as i32));
+    let sets = scene.materials.len();
+    let missing = |set: usize| {
+        let m = &scene.materials[set];
+        m.kind.takes_part_in_contact() && used(set) && m.contact_penalty == 0.0
+    };
+    if let Some(found) = Offenders::find(sets, missing) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::no-contact",
+                format!(
+                    "material {} has no contact penalty: its elements touch without force{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader.entry("YDPE/D1PEPE", found.first).or_else(|| reader.word("YDPE/NPROP")))
+            .expected("a penalty of 10 to 100 times the elastic modulus in /YD/YDPE/D1PEPE"),
+        );
+    }
+    let frictional = |set: usize| {
+        let m = &scene.materials[set];
+        m.kind != ElementKind::SofteningTriangle
+            && used(set)
+            && m.friction > 0.0
+            && m.tangential_penalty == 0.0
+    };
+    if let Some(found) = Offenders::find(sets, frictional) {
+        reader.report(
+            Diagnostic::error(
+                "scene::tangential-penalty",
+                format!(
+                    "material {} has friction, but no tangential penalty{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader
+                .entry("YDPE/D1PEPT", found.first)
+                .or_else(|| reader.entry("YDPE/D1PEFR", found.first)))
+            .expected(
+                "a tangential penalty in /YD/YDPE/D1PEPT, about a tenth of the contact penalty",
+            )
+            .help("the original cannot run without D1PEPT"),
+        );
+    }
+}

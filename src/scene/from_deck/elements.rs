@@ -1,0 +1,132 @@
+use super::{Reader, nodes::to_i32, reader::Offenders};
+use crate::scene::{BROKEN_JOINT, CLOSED_EDGE, Elements};
+use yformat::{database::Field, diagnostic::Diagnostic};
+
+/// Most node numbers that an element of the table can have.
+const MOST_NODES: usize = 6;
+
+pub(super) fn read(
+    reader: &mut Reader<'_>,
+    nodes: usize,
+    materials: usize,
+    laws: usize,
+) -> Option<Elements> {
+    let len = reader.count("YDE/NELEM", "YDE/MELEM", "elements", 1);
+    let topology = reader.required_integers("YDE/I2ELTO", "elements", len);
+    let property = reader.required_integers("YDE/I1ELPR", "elements", len);
+    let (topology, property) = (topology?, property?);
+    if len == 0 {
+        return None;
+    }
+    let corner = |e: usize, i: usize| topology.get2(i, e);
+    check_topology(reader, topology, len, nodes);
+    check_properties(reader, property, len, materials, laws, |e| corner(e, 3) >= 0);
+    let tag = reader.integers("YDE/I1ELBE", -1);
+    let rows = usize::try_from(reader.integer("YDE/MELNO")).unwrap_or(0);
+    let state_rows = usize::try_from(reader.integer("YDE/MELST")).unwrap_or(0).min(64);
+    let state = reader.database.reals("YDE/D2ELST");
+    Some(Elements {
+        table_rows: rows,
+        nodes: (0..len)
+            .map(|e| {
+                std::array::from_fn(|i| {
+                    if i < rows.min(MOST_NODES) { to_i32(corner(e, i)) } else { -1 }
+                })
+            })
+            .collect(),
+        property: (0..len).map(|e| to_i32(property.get1(e))).collect(),
+        contact_tag: (0..len).map(|e| to_i32(tag(e))).collect(),
+        state: (0..state_rows)
+            .map(|row| (0..len).map(|e| state.map_or(0.0, |s| s.get2(row, e))).collect())
+            .collect(),
+    })
+}
+
+fn check_topology(reader: &mut Reader<'_>, topology: &Field<i64>, len: usize, nodes: usize) {
+    let rows = topology.given_shape().first().copied().unwrap_or(0);
+    if rows < 3 {
+        reader.report(
+            Diagnostic::error(
+                "scene::short-array",
+                format!("YDE/I2ELTO gives {rows} nodes an element"),
+            )
+            .at(reader.word("YDE/I2ELTO"))
+            .expected("3 nodes a triangle: `21 3 <number of elements>`"),
+        );
+        return;
+    }
+    for i in 0..3 {
+        let wrong = |e: usize| !(0..nodes as i64).contains(&topology.get2(i, e));
+        if let Some(found) = Offenders::find(len, wrong) {
+            let node = topology.get2(i, found.first);
+            reader.report(
+                Diagnostic::error(
+                    "scene::node-number",
+                    format!("element {} has node {node}, which does not exist{}", found.first, found.more()),
+                )
+                .at(reader.entry_at("YDE/I2ELTO", [i, found.first, 0]))
+                .label(format!("node {node}"))
+                .expected(format!("a node number from 0 to {}", nodes.saturating_sub(1)))
+                .help("node numbers begin with 0; check whether the deck was made with numbers from 1"),
+            );
+            return;
+        }
+    }
+    let wrong = |e: usize| topology.get2(3, e) >= nodes as i64;
+    if let Some(found) = Offenders::find(if rows > 3 { len } else { 0 }, wrong) {
+        reader.report(
+            Diagnostic::error(
+                "scene::node-number",
+                format!(
+                    "element {} has a fourth node that does not exist{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader.entry_at("YDE/I2ELTO", [3, found.first, 0]))
+            .expected(format!("-1 for triangles, 0 to {} for joints", nodes.saturating_sub(1))),
+        );
+    }
+}
+
+fn check_properties(
+    reader: &mut Reader<'_>,
+    property: &Field<i64>,
+    len: usize,
+    materials: usize,
+    laws: usize,
+    is_joint: impl Fn(usize) -> bool,
+) {
+    let (first_law, end) = (materials as i64, (materials + laws) as i64);
+    let wrong = |e: usize| {
+        let p = property.get1(e);
+        if is_joint(e) {
+            let dead = p == i64::from(BROKEN_JOINT) || p == i64::from(CLOSED_EDGE);
+            !dead && !(first_law..end).contains(&p)
+        } else {
+            !(0..first_law).contains(&p)
+        }
+    };
+    if let Some(found) = Offenders::find(len, wrong) {
+        let e = found.first;
+        let code = property.get1(e);
+        let (kind, expected) = if is_joint(e) {
+            (
+                "joint",
+                format!("{first_law} to {} for live joints, -1000 or -1001 for dead ones", end - 1),
+            )
+        } else {
+            ("triangle", format!("a property set from 0 to {}", first_law - 1))
+        };
+        reader.report(
+            Diagnostic::error(
+                "scene::property-number",
+                format!("{kind} {e} has property {code}, which does not exist{}", found.more()),
+            )
+            .at(reader.entry("YDE/I1ELPR", e))
+            .label(format!("property {code}"))
+            .expected(expected)
+            .help("correct I1ELPR, or raise NPROP and give the properties of that set"),
+        );
+    }
+}

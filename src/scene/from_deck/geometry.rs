@@ -1,0 +1,117 @@
+//! Shapes: clockwise and flat triangles, nodes used twice, and whether the
+//! time step can be stable.
+
+use super::{Reader, reader::Offenders};
+use crate::{
+    mechanics::{Vec2, triangle::double_area},
+    scene::{ElementKind, Scene},
+};
+use yformat::diagnostic::Diagnostic;
+
+pub(super) fn check(reader: &mut Reader<'_>, scene: &Scene) {
+    let triangles: Vec<usize> = (0..scene.elements.len())
+        .filter(|&e| {
+            usize::try_from(scene.elements.property[e]).is_ok_and(|p| p < scene.materials.len())
+        })
+        .collect();
+    let corners = |e: usize, x: &[Vec2]| scene.elements.corners::<3>(e).map(|n| x[n]);
+    let fine = check_repeated_nodes(reader, scene, &triangles)
+        && check_areas(reader, &triangles, "D2NCI", |e| corners(e, &scene.nodes.initial))
+        && check_areas(reader, &triangles, "D2NCC", |e| corners(e, &scene.nodes.current));
+    if fine {
+        check_time_step(reader, scene, &triangles);
+    }
+}
+
+fn check_repeated_nodes(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) -> bool {
+    let repeated = |k: usize| {
+        let [a, b, c] = scene.elements.corners::<3>(triangles[k]);
+        a == b || b == c || c == a
+    };
+    let Some(found) = Offenders::find(triangles.len(), repeated) else { return true };
+    let element = triangles[found.first];
+    reader.report(
+        Diagnostic::error(
+            "scene::repeated-node",
+            format!("triangle {element} has the same node twice{}", found.more()),
+        )
+        .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
+        .expected("three different nodes"),
+    );
+    false
+}
+
+fn check_areas(
+    reader: &mut Reader<'_>,
+    triangles: &[usize],
+    coordinates: &str,
+    corners: impl Fn(usize) -> [Vec2; 3],
+) -> bool {
+    let flatness = |e: usize| {
+        let [a, b, c] = corners(e);
+        let longest =
+            (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared());
+        double_area(&[a, b, c]) / longest
+    };
+    let Some(found) = Offenders::find(triangles.len(), |k| !(flatness(triangles[k]) > 1e-12))
+    else {
+        return true;
+    };
+    let element = triangles[found.first];
+    let area = 0.5 * double_area(&corners(element));
+    let (code, what, help) = if flatness(element) < -1e-12 {
+        (
+            "scene::clockwise-triangle",
+            "runs clockwise",
+            "exchange two of its nodes; the original computes nonsense with it",
+        )
+    } else {
+        (
+            "scene::flat-triangle",
+            "has no area",
+            "its nodes lie on one line: correct their coordinates or remove it",
+        )
+    };
+    reader.report(
+        Diagnostic::error(code, format!("triangle {element} {what}{}", found.more()))
+            .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
+            .label(format!("area {area:.6e} with the coordinates of {coordinates}"))
+            .expected("three nodes counter-clockwise")
+            .help(help),
+    );
+    false
+}
+
+/// Smallest time that an elastic wave takes across a triangle: its smallest
+/// height over the speed of compression waves. Explicit integration needs a
+/// time step below about this; it grows without bound beyond.
+fn check_time_step(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) {
+    let mut critical: Option<(f64, usize)> = None;
+    for &e in triangles {
+        let material = &scene.materials[scene.elements.property[e] as usize];
+        if material.kind != ElementKind::ElasticTriangle || material.density <= 0.0 {
+            continue;
+        }
+        let [a, b, c] = scene.elements.corners::<3>(e).map(|n| scene.nodes.initial[n]);
+        let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
+        let height = double_area(&[a, b, c]) / longest;
+        let stiffness = material.lame_lambda + 2.0 * material.shear_modulus;
+        let crossing = height / (stiffness / material.density).sqrt();
+        if critical.is_none_or(|(least, _)| crossing < least) {
+            critical = Some((crossing, e));
+        }
+    }
+    let Some((critical, element)) = critical else { return };
+    let dt = scene.control.time_step;
+    if dt > critical {
+        reader.report(
+            Diagnostic::warning(
+                "scene::unstable-time-step",
+                format!("the time step {dt:e} s is longer than an elastic wave takes across triangle {element}, {critical:.3e} s"),
+            )
+            .at(reader.place("YDC/DCSTEC"))
+            .expected(format!("a time step below {critical:.2e} s"))
+            .help("explicit integration is unstable beyond: shorten the step, or coarsen the smallest elements"),
+        );
+    }
+}

@@ -1,0 +1,116 @@
+use super::{Reader, joints, nodes::to_i32};
+use crate::scene::{Combination, Insertion, JointPair, Material};
+use yformat::{database::Field, diagnostic::Diagnostic};
+
+pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<Insertion> {
+    let table = reader.database.integers("YDPM/I2PMSET").filter(|f| f.item().is_some())?;
+    let columns = usize::try_from(reader.integer("YDPM/MPMCOL")).unwrap_or(0);
+    let records = table.given_shape().get(1).copied().unwrap_or(0);
+    let combinations: Vec<Combination> = (0..records)
+        .filter_map(|record| combination(reader, table, record, columns, materials.len()))
+        .collect();
+    let rows = reader.database.integers("YDPM/I2PMIJ").filter(|f| f.item().is_some());
+    let count = rows.map_or(0, |f| f.given_shape().get(1).copied().unwrap_or(0));
+    let row = |i: usize, r: usize| rows.map_or(-1, |f| f.get2(i, r));
+    let names: Vec<[i64; 2]> = (0..count).map(|r| [row(0, r), row(1, r)]).collect();
+    joints::check_pairs(reader, &names, materials.len());
+    let pairs = (0..count).map(|r| JointPair {
+        materials: [to_i32(row(0, r)), to_i32(row(1, r))],
+        joint_set: to_i32(row(2, r)),
+    });
+    let capacity = |name| usize::try_from(reader.integer(name)).unwrap_or(0);
+    let insertion = Insertion {
+        combinations,
+        pairs: pairs.collect(),
+        node_capacity: capacity("YDN/MNOPO"),
+        element_capacity: capacity("YDE/MELEM"),
+    };
+    check(reader, &insertion);
+    Some(insertion)
+}
+
+fn combination(
+    reader: &mut Reader<'_>,
+    table: &Field<i64>,
+    record: usize,
+    columns: usize,
+    materials: usize,
+) -> Option<Combination> {
+    let (count, code) = (table.get2(0, record), table.get2(1, record));
+    let room = columns.saturating_sub(2) as i64;
+    if !(1..=room).contains(&count) {
+        reader.report(
+            Diagnostic::error(
+                "scene::mesh-record",
+                format!("record {record} of I2PMSET lists {count} materials in {columns} columns"),
+            )
+            .at(reader.entry_at("YDPM/I2PMSET", [0, record, 0]))
+            .expected(format!(
+                "a number of materials from 1 to {room}, then the code, then the materials"
+            ))
+            .help("raise /YD/YDPM/MPMCOL to 2 + the number of materials, or correct the record"),
+        );
+        return None;
+    }
+    let listed: Vec<i64> = (0..count as usize).map(|k| table.get2(2 + k, record)).collect();
+    if let Some(k) = listed.iter().position(|m| !(0..materials as i64).contains(m)) {
+        reader.report(
+            Diagnostic::error(
+                "scene::property-number",
+                format!(
+                    "record {record} of I2PMSET lists material {}, which does not exist",
+                    listed[k]
+                ),
+            )
+            .at(reader.entry_at("YDPM/I2PMSET", [2 + k, record, 0]))
+            .expected(format!("a property set from 0 to {}", materials.saturating_sub(1))),
+        );
+        return None;
+    }
+    if code.to_string().chars().any(|digit| !('0'..='4').contains(&digit)) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::mesh-code",
+                format!("mesh code {code} has digits that do nothing"),
+            )
+            .at(reader.entry_at("YDPM/I2PMSET", [1, record, 0]))
+            .expected(
+                "digits 1 (into 4), 2 (into 6), 3 (joints), 4 (separate), done from the right",
+            ),
+        );
+    }
+    Some(Combination { code, materials: listed.into_iter().map(|m| m as usize).collect() })
+}
+
+fn check(reader: &mut Reader<'_>, insertion: &Insertion) {
+    let Some(record) = insertion.combinations.iter().position(Combination::inserts_joints) else {
+        return;
+    };
+    let place = reader.entry_at("YDPM/I2PMSET", [1, record, 0]);
+    if insertion.pairs.is_empty() {
+        reader.report(
+            Diagnostic::error(
+                "scene::joint-table",
+                "joints are to be inserted, but no joint set is named for them",
+            )
+            .at(place)
+            .expected(
+                "a table of joint sets: MPMROW and I2PMIJ with rows `materialA materialB jointset`",
+            ),
+        );
+        return;
+    }
+    let joined = |m: usize| insertion.pairs.iter().any(|p| p.materials == [m as i32; 2]);
+    let inserting = insertion.combinations.iter().filter(|c| c.inserts_joints());
+    if let Some(material) = inserting.flat_map(|c| &c.materials).copied().find(|&m| !joined(m)) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::joint-table",
+                format!("I2PMIJ has no row for joints inside material {material}"),
+            )
+            .at(reader.word("YDPM/I2PMIJ"))
+            .expected(format!("a row `{material} {material} <joint set>`"))
+            .help("as in the original such a joint takes the set of the joint made before it, or none"),
+        );
+    }
+}

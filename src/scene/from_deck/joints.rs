@@ -1,0 +1,123 @@
+use super::{Reader, reader::Offenders};
+use crate::scene::{CohesiveLaw, Scene};
+use yformat::diagnostic::Diagnostic;
+
+pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
+    let len = reader.count("YDPJ/NPJSET", "YDPJ/MPJSET", "joint property sets", 0);
+    let real = |name| reader.reals(name, 0.0);
+    let (ft, fs, gf) = (real("YDPJ/D1PJFT"), real("YDPJ/D1PJFS"), real("YDPJ/D1PJGF"));
+    let (co, fr, pe) = (real("YDPJ/D1PJCO"), real("YDPJ/D1PJFR"), real("YDPJ/D1PJPE"));
+    let kind = reader.integers("YDPJ/I1PTYP", -1);
+    (0..len)
+        .map(|i| CohesiveLaw {
+            is_cohesive: kind(i) == 3,
+            tensile_strength: ft(i),
+            shear_strength: fs(i),
+            fracture_energy: gf(i),
+            cohesion: co(i),
+            friction: fr(i),
+            penalty: pe(i),
+        })
+        .collect()
+}
+
+/// Joint sets that elements of the deck have or that joint insertion can give.
+fn used_sets(scene: &Scene) -> Vec<usize> {
+    let first = scene.materials.len() as i32;
+    let of_elements = scene.elements.property.iter().map(|&p| p - first);
+    let inserting = scene.insertion.iter().filter(|i| i.inserts_joints());
+    let of_pairs = inserting.flat_map(|i| &i.pairs).map(|pair| pair.joint_set);
+    let mut used: Vec<usize> =
+        of_elements.chain(of_pairs).filter_map(|set| usize::try_from(set).ok()).collect();
+    used.sort_unstable();
+    used.dedup();
+    used
+}
+
+/// Checks of the joint sets that are used.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    let sets = used_sets(scene);
+    if let Some(&set) = sets.iter().find(|&&s| s >= scene.cohesive_laws.len()) {
+        let pairs = scene.insertion.iter().flat_map(|i| &i.pairs);
+        let row = pairs.map(|pair| pair.joint_set).position(|s| s == set as i32);
+        let count = scene.cohesive_laws.len();
+        reader.report(
+            Diagnostic::error(
+                "scene::joint-set",
+                format!("joint set {set} does not exist: there are {count}"),
+            )
+            .at(row.and_then(|row| reader.entry_at("YDPM/I2PMIJ", [2, row, 0])))
+            .label(format!("joint set {set}"))
+            .expected(if count == 0 {
+                "joint property sets (/YD/YDPJ/NPJSET and their arrays)".to_owned()
+            } else {
+                format!("a joint set from 0 to {}", count - 1)
+            })
+            .help("correct the row of I2PMIJ, or raise NPJSET and give the properties of that set"),
+        );
+        return;
+    }
+    for set in sets {
+        check_law(reader, set, &scene.cohesive_laws[set]);
+    }
+}
+
+fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {
+    if !law.is_cohesive {
+        reader.report(
+            Diagnostic::warning(
+                "scene::joint-type",
+                format!("joint set {set} has not type 3: its joints carry nothing"),
+            )
+            .at(reader.entry("YDPJ/I1PTYP", set).or_else(|| reader.word("YDPJ/NPJSET")))
+            .expected("3, the type of 2D joints, in /YD/YDPJ/I1PTYP"),
+        );
+        return;
+    }
+    for (name, quantity, value) in [
+        ("YDPJ/D1PJFT", "tensile strength", law.tensile_strength),
+        ("YDPJ/D1PJPE", "joint penalty", law.penalty),
+    ] {
+        if value <= 0.0 {
+            report_value(reader, set, name, quantity, value);
+        }
+    }
+    reader.check_at_least("YDPJ/D1PJGF", set + 1, 0.0, false, "fracture energy");
+    if law.initial_shear_strength() <= 0.0 {
+        report_value(reader, set, "YDPJ/D1PJFS", "shear strength", law.initial_shear_strength());
+    }
+}
+
+fn report_value(reader: &mut Reader<'_>, set: usize, name: &str, quantity: &str, value: f64) {
+    let place = reader.entry(name, set).or_else(|| reader.word("YDPJ/NPJSET"));
+    reader.report(
+        Diagnostic::error(
+            "scene::value-range",
+            format!("{name}: the {quantity} of joint set {set} is {value}"),
+        )
+        .at(place)
+        .expected(format!("a {quantity} above 0: the cohesive law divides by it"))
+        .help(format!("give it with /YD/{name}")),
+    );
+}
+
+/// Reports joint table rows whose materials do not exist.
+pub(super) fn check_pairs(reader: &mut Reader<'_>, pairs: &[[i64; 2]], materials: usize) {
+    let wrong = |row: usize| pairs[row].iter().any(|m| !(0..materials as i64).contains(m));
+    if let Some(found) = Offenders::find(pairs.len(), wrong) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::joint-pair",
+                format!(
+                    "row {} of I2PMIJ names materials {} and {}, of which there are only {materials}{}",
+                    found.first,
+                    pairs[found.first][0],
+                    pairs[found.first][1],
+                    found.more()
+                ),
+            )
+            .at(reader.entry_at("YDPM/I2PMIJ", [0, found.first, 0]))
+            .help("such a row never applies"),
+        );
+    }
+}

@@ -1,0 +1,136 @@
+use super::{Reader, nodes::to_i32};
+use crate::scene::{ElementKind, Material, Scene};
+use yformat::diagnostic::Diagnostic;
+
+pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
+    let len = reader.count("YDPE/NPROP", "YDPE/MPROP", "element property sets", 1);
+    let what = "element property sets";
+    let kinds = reader.required_integers("YDPE/I1PTYP", what, len);
+    for name in ["YDPE/D1PELA", "YDPE/D1PEMU", "YDPE/D1PERO"] {
+        let _ = reader.required_reals(name, what, len);
+    }
+    for (name, quantity) in [
+        ("YDPE/D1PELA", "Lamé constant"),
+        ("YDPE/D1PEMU", "shear modulus"),
+        ("YDPE/D1PERO", "density"),
+        ("YDPE/D1PEKS", "viscosity"),
+        ("YDPE/D1PEPE", "contact penalty"),
+        ("YDPE/D1PEPT", "tangential contact penalty"),
+        ("YDPE/D1PEFR", "friction coefficient"),
+    ] {
+        reader.check_at_least(name, len, 0.0, false, quantity);
+    }
+    let Some(kinds) = kinds else { return Vec::new() };
+    let real = |name| reader.reals(name, 0.0);
+    let (lambda, mu, rho, eta) =
+        (real("YDPE/D1PELA"), real("YDPE/D1PEMU"), real("YDPE/D1PERO"), real("YDPE/D1PEKS"));
+    let (penalty, tangential, friction, stretch) =
+        (real("YDPE/D1PEPE"), real("YDPE/D1PEPT"), real("YDPE/D1PEFR"), real("YDPE/D1PSEM"));
+    let fractures = reader.integers("YDPE/I1PEFR", -1);
+    let joint_set = reader.integers("YDPE/I1PEJP", -1);
+    let marking = reader.integers("YDPE/I1PEMB", 0);
+    let damage_row = reader.integers("YDPE/I1PSDE", 0);
+    (0..len)
+        .map(|i| Material {
+            kind: kind(reader, i, kinds.get1(i)),
+            lame_lambda: lambda(i),
+            shear_modulus: mu(i),
+            viscosity: eta(i),
+            density: rho(i),
+            contact_penalty: penalty(i),
+            tangential_penalty: tangential(i),
+            friction: friction(i),
+            softening_stretch: stretch(i),
+            fractures: fractures(i) > 0,
+            joint_set: to_i32(joint_set(i)),
+            boundary_marking: to_i32(marking(i)),
+            damage_row: to_i32(damage_row(i)),
+        })
+        .collect()
+}
+
+fn kind(reader: &mut Reader<'_>, set: usize, code: i64) -> ElementKind {
+    match code {
+        1 => ElementKind::ElasticTriangle,
+        2 => ElementKind::RigidTriangle,
+        4 => ElementKind::SofteningTriangle,
+        11 | 21 | 31 => {
+            reader.report(
+                Diagnostic::error(
+                    "scene::element-type",
+                    format!("property set {set} has the 3D element type {code} in a 2D scene"),
+                )
+                .at(reader.entry("YDPE/I1PTYP", set))
+                .expected("1 (elastic), 2 (rigid) or 4 (softening triangle)"),
+            );
+            ElementKind::Inert(code)
+        }
+        _ => {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::element-type",
+                    format!("property set {set} has type {code}: its elements have neither stiffness nor mass"),
+                )
+                .at(reader.entry("YDPE/I1PTYP", set))
+                .expected("1 (elastic), 2 (rigid) or 4 (softening triangle)")
+                .help("nodes of such elements never move; give another type if they should"),
+            );
+            ElementKind::Inert(code)
+        }
+    }
+}
+
+/// Checks that need to know which materials are used.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    for (set, material) in scene.materials.iter().enumerate() {
+        let used = scene.elements.property.contains(&(set as i32));
+        if !used || matches!(material.kind, ElementKind::Inert(_)) {
+            continue;
+        }
+        if material.density == 0.0 {
+            reader.report(
+                Diagnostic::error(
+                    "scene::no-mass",
+                    format!("material {set} has no density: its nodes cannot move"),
+                )
+                .at(reader.entry("YDPE/D1PERO", set))
+                .expected("a density above 0"),
+            );
+        }
+        if material.kind == ElementKind::SofteningTriangle {
+            check_softening(reader, scene, set);
+        }
+    }
+}
+
+fn check_softening(reader: &mut Reader<'_>, scene: &Scene, set: usize) {
+    let material = &scene.materials[set];
+    if material.softening_stretch <= 0.0 {
+        reader.report(
+            Diagnostic::error(
+                "scene::softening",
+                format!(
+                    "softening material {set} has the tensile stretch {}",
+                    material.softening_stretch
+                ),
+            )
+            .at(reader.entry("YDPE/D1PSEM", set).or_else(|| reader.entry("YDPE/I1PTYP", set)))
+            .expected("a stretch above 0 in /YD/YDPE/D1PSEM"),
+        );
+    }
+    let row = usize::try_from(material.damage_row).ok().filter(|&r| r < scene.elements.state.len());
+    if row.is_none() {
+        reader.report(
+            Diagnostic::error(
+                "scene::softening",
+                format!(
+                    "softening material {set} keeps its damage in row {} of D2ELST, which has {} rows",
+                    material.damage_row,
+                    scene.elements.state.len()
+                ),
+            )
+            .at(reader.entry("YDPE/I1PSDE", set).or_else(|| reader.place("YDE/MELST")))
+            .help("raise /YD/YDE/MELST or correct /YD/YDPE/I1PSDE"),
+        );
+    }
+}

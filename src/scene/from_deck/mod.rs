@@ -1,0 +1,94 @@
+//! From a deck's values to a [`Scene`], with every check on the way.
+//!
+//! Where the original accepts a deck with a determinate result, so does this;
+//! where it crashes, reads beyond its arrays or silently computes nonsense,
+//! there is an error that says where and how to mend it. One pass reports all
+//! findings.
+
+mod contact;
+mod control;
+mod elements;
+mod geometry;
+mod insertion;
+mod joints;
+mod materials;
+mod node_sets;
+mod nodes;
+mod probes;
+mod reader;
+mod unsupported;
+mod update;
+
+pub use update::update_scene;
+
+use super::Scene;
+use reader::Reader;
+use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
+
+/// Which of the two programs of the split dialect is followed where they differ
+/// (spec `y2d3d.md` L).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Profile {
+    /// The Windows program: no normalisation of local axes.
+    #[default]
+    Windows,
+    /// The published source: local axes are normalised.
+    Source,
+}
+
+/// A scene, if the deck has no errors, and all findings.
+#[derive(Debug)]
+pub struct BuildOutcome {
+    /// The scene; `None` if there is an error among the findings.
+    pub scene: Option<Scene>,
+    /// Errors, warnings and notes in the order of the checks.
+    pub findings: Vec<Diagnostic>,
+}
+
+/// Builds the scene that the items of `deck` applied to `database` describe.
+/// `name` is the base name of the output files.
+#[must_use]
+pub fn from_deck(deck: &Deck, database: &Database, name: &str, profile: Profile) -> BuildOutcome {
+    let mut reader = Reader::new(deck, database);
+    let scene = build(&mut reader, name, profile);
+    let findings = reader.into_findings();
+    let failed = findings.iter().any(Diagnostic::is_error);
+    BuildOutcome { scene: scene.filter(|_| !failed), findings }
+}
+
+fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene> {
+    unsupported::check(reader);
+    let control = control::read(reader);
+    let nodes = nodes::read(reader)?;
+    let materials = materials::read(reader);
+    let cohesive_laws = joints::read(reader);
+    let elements = elements::read(reader, nodes.len(), materials.len(), cohesive_laws.len())?;
+    let node_sets = node_sets::read(reader, profile);
+    let load_history = node_sets::read_load_history(reader, node_sets.len());
+    let contact = contact::read(reader);
+    let insertion = insertion::read(reader, &materials);
+    let (probes, probe_threshold) = probes::read(reader);
+    let scene = Scene {
+        name: name.to_owned(),
+        control,
+        nodes,
+        elements,
+        materials,
+        cohesive_laws,
+        node_sets,
+        load_history,
+        contact,
+        insertion,
+        probes,
+        probe_threshold,
+    };
+    if !reader.has_errors() {
+        materials::check_use(reader, &scene);
+        joints::check_use(reader, &scene);
+        geometry::check(reader, &scene);
+        node_sets::check_use(reader, &scene);
+        contact::check_use(reader, &scene);
+        probes::check_use(reader, &scene);
+    }
+    Some(scene)
+}

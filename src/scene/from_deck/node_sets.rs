@@ -1,0 +1,250 @@
+use super::{Profile, Reader, reader::Offenders};
+use crate::{
+    TOLERANCE,
+    scene::{Condition, LoadHistory, NodeSet, Scene},
+};
+use nalgebra::{Matrix2, Vector2};
+use yformat::diagnostic::Diagnostic;
+
+pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>> {
+    let len = reader.count("YDPN/NPNSET", "YDPN/MPNSET", "node sets", 0);
+    let codes = [reader.integers("YDPN/I1PNFX", -1), reader.integers("YDPN/I1PNFY", -1)];
+    let amplitudes = [reader.reals("YDPN/D1PNAX", 1.0), reader.reals("YDPN/D1PNAY", 1.0)];
+    let (pressure, traction) = (reader.reals("YDPN/D1PNAP", 0.0), reader.reals("YDPN/D1PNAT", 0.0));
+    let x_axis = [reader.reals("YDPN/D1PNXX", 1.0), reader.reals("YDPN/D1PNXY", 0.0)];
+    let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
+    let sets = (0..len)
+        .map(|set| {
+            let axes = [
+                Vector2::new(x_axis[0](set), x_axis[1](set)),
+                Vector2::new(y_axis[0](set), y_axis[1](set)),
+            ];
+            NodeSet {
+                conditions: [condition(codes[0](set)), condition(codes[1](set))],
+                amplitudes: [amplitudes[0](set), amplitudes[1](set)],
+                pressure: pressure(set),
+                traction: traction(set),
+                axes: check_axes(reader, set, axes, profile),
+            }
+        })
+        .collect::<Vec<_>>();
+    check_codes(reader, len);
+    check_amplitudes(reader, &sets);
+    sets
+}
+
+fn condition(code: i64) -> Condition {
+    match code {
+        1 => Condition::Force,
+        2 => Condition::Acceleration,
+        3 => Condition::Velocity,
+        _ => Condition::Frozen,
+    }
+}
+
+fn check_axes(
+    reader: &mut Reader<'_>,
+    set: usize,
+    mut axes: [Vector2<f64>; 2],
+    profile: Profile,
+) -> Matrix2<f64> {
+    let place = |reader: &Reader<'_>| {
+        reader.entry("YDPN/D1PNXX", set).or_else(|| reader.entry("YDPN/D1PNYY", set))
+    };
+    let cross = axes[0].x * axes[1].y - axes[0].y * axes[1].x;
+    if cross.abs() < TOLERANCE {
+        reader.report(
+            Diagnostic::error(
+                "scene::axes",
+                format!("the local axes of node set {set} do not span the plane"),
+            )
+            .at(place(reader))
+            .label(format!("x ({}, {}), y ({}, {})", axes[0].x, axes[0].y, axes[1].x, axes[1].y))
+            .expected("two perpendicular unit vectors"),
+        );
+    }
+    let skew =
+        axes.iter().any(|a| (a.norm() - 1.0).abs() > 1e-6) || axes[0].dot(&axes[1]).abs() > 1e-6;
+    if profile == Profile::Source {
+        axes = axes.map(|a| Vector2::new(a.x / a.norm(), a.y / a.norm()));
+    } else if skew {
+        reader.report(
+            Diagnostic::warning(
+                "scene::axes",
+                format!("the local axes of node set {set} are not perpendicular unit vectors"),
+            )
+            .at(place(reader))
+            .help("as in the Windows program they are taken as they are and scale the motion; `--profile source` normalises them"),
+        );
+    }
+    Matrix2::from_columns(&axes)
+}
+
+fn check_codes(reader: &mut Reader<'_>, len: usize) {
+    for (name, axis) in [("YDPN/I1PNFX", "x"), ("YDPN/I1PNFY", "y")] {
+        if len > 0 && !reader.is_given(name) {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::frozen-nodes",
+                    format!("{name} is not given: all nodes are frozen along {axis}"),
+                )
+                .at(reader.word("YDPN/NPNSET"))
+                .expected("1 (force), 2 (acceleration) or 3 (velocity) for each node set")
+                .help("in 2D a set without code keeps its velocity whatever the forces"),
+            );
+        }
+        let code = reader.integers(name, -1);
+        if let Some(found) = Offenders::find(len, |set| code(set) > 3) {
+            let value = code(found.first);
+            let meaning = if value == 4 { " (absorbing boundary in Y-Geo)" } else { "" };
+            reader.report(
+                Diagnostic::warning(
+                    "scene::frozen-nodes",
+                    format!(
+                        "code {value}{meaning} of node set {} freezes its nodes along {axis}{}",
+                        found.first,
+                        found.more()
+                    ),
+                )
+                .at(reader.entry(name, found.first))
+                .expected("1 (force), 2 (acceleration), 3 (velocity) or 0 (frozen)"),
+            );
+        }
+    }
+}
+
+fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
+    for (k, name) in ["YDPN/D1PNAX", "YDPN/D1PNAY"].into_iter().enumerate() {
+        let loaded = sets.iter().any(|s| s.conditions[k] != Condition::Frozen);
+        if loaded && !reader.is_given(name) {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::default-amplitude",
+                    format!("{name} is not given: every amplitude is 1"),
+                )
+                .at(reader.word("YDPN/NPNSET"))
+                .help(format!("add /YD/{name} with a 0 for each node set without load")),
+            );
+        }
+    }
+    let factor = reader.reals("YDPN/D1PNAF", 1.0);
+    if let Some(found) = Offenders::find(sets.len(), |set| factor(set) != 1.0) {
+        reader.report(
+            Diagnostic::note(
+                "scene::no-effect",
+                "D1PNAF has no effect in 2D: the load-time table replaces it",
+            )
+            .at(reader.entry("YDPN/D1PNAF", found.first)),
+        );
+    }
+}
+
+/// The load-time table of the node sets, if there is one.
+pub(super) fn read_load_history(reader: &mut Reader<'_>, sets: usize) -> Option<LoadHistory> {
+    let points = reader.count("YDPN/NPNFACT", "YDPN/MPNFACT", "load-time points", 0);
+    let table = reader.database.reals("YDPN/D3PNFAC").filter(|f| f.item().is_some())?;
+    let given = table.given_shape();
+    let (given_sets, given_points) =
+        (given.get(1).copied().unwrap_or(0), given.get(2).copied().unwrap_or(0));
+    if given_sets < sets || given_points < points {
+        reader.report(
+            Diagnostic::error(
+                "scene::short-array",
+                format!("the load-time table has {given_points} points for {given_sets} sets"),
+            )
+            .at(reader.word("YDPN/D3PNFAC"))
+            .expected(format!("{points} points (NPNFACT) for each of {sets} node sets (NPNSET)")),
+        );
+        return None;
+    }
+    let at = |set: usize, p: usize| (table.get3(0, set, p), table.get3(1, set, p));
+    let history = LoadHistory {
+        points: (0..sets).map(|set| (0..points).map(|p| at(set, p)).collect()).collect(),
+    };
+    if history.is_active() {
+        check_times(reader, &history);
+    }
+    Some(history)
+}
+
+fn check_times(reader: &mut Reader<'_>, history: &LoadHistory) {
+    for (set, points) in history.points.iter().enumerate() {
+        let Some(k) = points.windows(2).position(|pair| pair[0].0 >= pair[1].0) else { continue };
+        reader.report(
+            Diagnostic::error(
+                "scene::load-time-order",
+                format!(
+                    "the load-time table of node set {set} goes from time {} to {}",
+                    points[k].0,
+                    points[k + 1].0
+                ),
+            )
+            .at(reader.entry_at("YDPN/D3PNFAC", [0, set, k + 1]))
+            .expected("times that increase from point to point")
+            .help(
+                "an interval without length makes the factor undefined; move one of the two points",
+            ),
+        );
+        return;
+    }
+}
+
+/// Checks that need the whole scene.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    let sets = scene.node_sets.len() as i32;
+    let set_of = &scene.nodes.set;
+    if let Some(found) = Offenders::find(set_of.len(), |n| !(0..sets).contains(&set_of[n])) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::node-set",
+                format!(
+                    "node {} belongs to set {}, which does not exist: it never moves{}",
+                    found.first,
+                    set_of[found.first],
+                    found.more()
+                ),
+            )
+            .at(reader.entry("YDN/I1NOPR", found.first))
+            .expected(if sets == 0 {
+                "node sets: /YD/YDPN/MPNSET, NPNSET and their arrays".to_owned()
+            } else {
+                format!("a node set from 0 to {}", sets - 1)
+            }),
+        );
+    }
+    check_coverage(reader, scene);
+}
+
+fn check_coverage(reader: &mut Reader<'_>, scene: &Scene) {
+    let Some(history) = scene.load_history.as_ref().filter(|h| h.is_active()) else { return };
+    let control = &scene.control;
+    let steps = control.end_step.saturating_sub(control.first_step);
+    let last = control.start_time + control.time_step * steps.saturating_sub(1) as f64;
+    let loaded = |set: &NodeSet<2>| {
+        let [x, y] =
+            [0, 1].map(|k| set.conditions[k] != Condition::Frozen && set.amplitudes[k] != 0.0);
+        x || y || set.pressure != 0.0 || set.traction != 0.0
+    };
+    for (set, points) in
+        history.points.iter().enumerate().filter(|(set, _)| loaded(&scene.node_sets[*set]))
+    {
+        let (Some(first), Some(end)) = (points.first(), points.last()) else { continue };
+        // accumulated time may miss the last entry by rounding
+        let slack = 0.5 * control.time_step;
+        if first.0 > control.start_time + slack || end.0 < last - slack {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::load-time-coverage",
+                    format!(
+                        "the load-time table of node set {set} covers {} to {} s, the run {} to {last} s",
+                        first.0, end.0, control.start_time
+                    ),
+                )
+                .at(reader.entry_at("YDPN/D3PNFAC", [0, set, 0]))
+                .expected("a table that covers the run")
+                .help("outside the table the factor is 1, not the last value: add a point at the end of the run"),
+            );
+            return;
+        }
+    }
+}

@@ -1,0 +1,88 @@
+use super::Reader;
+use crate::{
+    mechanics::Vec2,
+    scene::{Probe, ProbeQuantity, Scene},
+};
+use yformat::diagnostic::Diagnostic;
+
+pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
+    let len = reader.count("YDO/NOHYS", "YDO/MOHYS", "histories", 0);
+    let threshold = reader.real("YDO/DOHYP");
+    if len == 0 {
+        return (Vec::new(), threshold);
+    }
+    let what = "histories";
+    let kinds = reader.required_integers("YDO/I1OHYT", what, len);
+    let time_factor = reader.required_reals("YDO/D1OHYC", what, len);
+    let value_factor = reader.required_reals("YDO/D1OHYF", what, len);
+    let (Some(kinds), Some(time_factor), Some(value_factor)) = (kinds, time_factor, value_factor)
+    else {
+        return (Vec::new(), threshold);
+    };
+    let initial = reader.reals("YDO/D1OHYS", 0.0);
+    let (x, y) = (reader.reals("YDO/D1OHYX", 0.0), reader.reals("YDO/D1OHYY", 0.0));
+    let probes = (0..len).map(|i| Probe {
+        quantity: quantity(reader, i, kinds.get1(i)),
+        point: [x(i), y(i)],
+        initial_value: initial(i),
+        time_factor: time_factor.get1(i),
+        value_factor: value_factor.get1(i),
+    });
+    (probes.collect(), threshold)
+}
+
+fn quantity(reader: &mut Reader<'_>, history: usize, code: i64) -> ProbeQuantity {
+    match code {
+        1 => ProbeQuantity::StressXx,
+        2 => ProbeQuantity::StressXy,
+        3 => ProbeQuantity::StressYy,
+        4..=6 => ProbeQuantity::StressOutOfPlane,
+        7 => ProbeQuantity::Speed,
+        8 => ProbeQuantity::VelocityX,
+        9 => ProbeQuantity::VelocityY,
+        15 => ProbeQuantity::KineticEnergy,
+        18 => ProbeQuantity::ForceX,
+        19 => ProbeQuantity::ForceY,
+        _ => {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::history-type",
+                    format!("history {history} has type {code}, which is never updated"),
+                )
+                .at(reader.entry("YDO/I1OHYT", history))
+                .expected(
+                    "1 σxx, 2 σxy, 3 σyy, 7 speed, 8 vx, 9 vy, 15 kinetic energy, 18 force x or 19 force y",
+                ),
+            );
+            ProbeQuantity::NeverUpdated(code)
+        }
+    }
+}
+
+/// Reports histories whose point lies nowhere.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    if scene.insertion.is_some() {
+        return;
+    }
+    for (history, probe) in scene.probes.iter().enumerate() {
+        let point = Vec2::from(probe.point);
+        let found = match probe.quantity {
+            ProbeQuantity::ForceX | ProbeQuantity::ForceY => scene.nodes.initial.contains(&point),
+            quantity if quantity.is_elemental() => scene.contains_point(point),
+            _ => true,
+        };
+        if !found {
+            let place =
+                if probe.quantity.is_elemental() { "in no elastic triangle" } else { "at no node" };
+            reader.report(
+                Diagnostic::warning(
+                    "scene::history-point",
+                    format!("history {history} lies {place}: ({}, {})", point.x, point.y),
+                )
+                .at(reader.entry("YDO/D1OHYX", history))
+                .expected("initial coordinates strictly inside a triangle, or exactly those of a node for forces")
+                .help("its value stays what D1OHYS gives"),
+            );
+        }
+    }
+}

@@ -1,0 +1,215 @@
+use yformat::{
+    database::{Database, Field},
+    deck::Deck,
+    diagnostic::Diagnostic,
+    source::Span,
+};
+
+/// Reads values of a deck and collects findings about them.
+pub(super) struct Reader<'a> {
+    pub deck: &'a Deck,
+    pub database: &'a Database,
+    findings: Vec<Diagnostic>,
+}
+
+/// The first entry that is wrong, and how many are.
+pub(super) struct Offenders {
+    pub first: usize,
+    pub count: usize,
+}
+
+impl Offenders {
+    /// Those of `0..len` that `is_wrong`.
+    pub fn find(len: usize, is_wrong: impl Fn(usize) -> bool) -> Option<Self> {
+        let mut wrong = (0..len).filter(|&i| is_wrong(i));
+        let first = wrong.next()?;
+        Some(Self { first, count: 1 + wrong.count() })
+    }
+
+    /// ` (and 4 more)`, if there are.
+    pub fn more(&self) -> String {
+        if self.count > 1 { format!(" (and {} more)", self.count - 1) } else { String::new() }
+    }
+}
+
+impl<'a> Reader<'a> {
+    pub fn new(deck: &'a Deck, database: &'a Database) -> Self {
+        Self { deck, database, findings: Vec::new() }
+    }
+
+    pub fn into_findings(self) -> Vec<Diagnostic> {
+        let sources = self.deck.sources();
+        self.findings.into_iter().map(|finding| finding.located(sources)).collect()
+    }
+
+    pub fn report(&mut self, finding: Diagnostic) {
+        self.findings.push(finding);
+    }
+
+    pub fn has_errors(&self) -> bool {
+        self.findings.iter().any(Diagnostic::is_error)
+    }
+
+    pub fn integer(&self, name: &str) -> i64 {
+        self.database.integer(name)
+    }
+
+    pub fn real(&self, name: &str) -> f64 {
+        self.database.real(name)
+    }
+
+    pub fn is_given(&self, name: &str) -> bool {
+        self.database.given(name).is_some()
+    }
+
+    /// Where a keyword's first number stands; the keyword itself if it has none.
+    pub fn place(&self, name: &str) -> Option<Span> {
+        let item = self.database.given(name)?;
+        self.deck.number_span(item, 0).or_else(|| self.deck.word_span(item))
+    }
+
+    /// Where a keyword's word stands.
+    pub fn word(&self, name: &str) -> Option<Span> {
+        self.deck.word_span(self.database.given(name)?)
+    }
+
+    /// Number of entities: `actual` within `capacity`, at least `least`.
+    pub fn count(&mut self, actual: &str, capacity: &str, what: &str, least: i64) -> usize {
+        let (n, room) = (self.integer(actual), self.integer(capacity));
+        let place = self.place(actual).or_else(|| self.place(capacity));
+        if n < least {
+            self.report(
+                Diagnostic::error("scene::count", format!("{actual} gives {n} {what}"))
+                    .at(place)
+                    .expected(format!("at least {least}"))
+                    .help(format!("give the number of {what} with /YD/{actual}")),
+            );
+            return 0;
+        }
+        if n > room {
+            self.report(
+                Diagnostic::error(
+                    "scene::capacity",
+                    format!("{actual} gives {n} {what}, {capacity} leaves room for {room}"),
+                )
+                .at(place)
+                .expected(format!("{capacity} of {n} or more"))
+                .help(format!(
+                    "raise /YD/{capacity} to at least {n}, before the arrays that it sizes"
+                )),
+            );
+            return 0;
+        }
+        usize::try_from(n).unwrap_or(0)
+    }
+
+    /// An array that must give at least `needed` entries along its last index.
+    pub fn required_reals(
+        &mut self,
+        name: &str,
+        what: &str,
+        needed: usize,
+    ) -> Option<&'a Field<f64>> {
+        let field = self.database.reals(name);
+        let given = field.map(|f| (f.given_shape().last().copied().unwrap_or(0), f.item()));
+        self.complete(name, what, needed, given).then_some(field).flatten()
+    }
+
+    /// The same for integers.
+    pub fn required_integers(
+        &mut self,
+        name: &str,
+        what: &str,
+        needed: usize,
+    ) -> Option<&'a Field<i64>> {
+        let field = self.database.integers(name);
+        let given = field.map(|f| (f.given_shape().last().copied().unwrap_or(0), f.item()));
+        self.complete(name, what, needed, given).then_some(field).flatten()
+    }
+
+    fn complete(
+        &mut self,
+        name: &str,
+        what: &str,
+        needed: usize,
+        given: Option<(usize, Option<usize>)>,
+    ) -> bool {
+        let Some((given, Some(item))) = given else {
+            self.report(
+                Diagnostic::error("scene::missing-array", format!("{name} is missing"))
+                    .expected(format!("/YD/{name} with one entry for each of the {needed} {what}"))
+                    .help(format!("add /YD/{name} before $YDOIT")),
+            );
+            return false;
+        };
+        if given < needed {
+            let place =
+                self.deck.header_span(item, usize::MAX).or_else(|| self.deck.word_span(item));
+            self.report(
+                Diagnostic::error(
+                    "scene::short-array",
+                    format!("{name} gives {given} entries for {needed} {what}"),
+                )
+                .at(place)
+                .label(format!("{given} entries"))
+                .expected(format!("{needed} entries, one for each of the {what}"))
+                .help("give the missing entries, or correct the count"),
+            );
+            return false;
+        }
+        true
+    }
+
+    /// A real array if the deck gives it: `absent` where there is no such array.
+    pub fn reals(&self, name: &str, absent: f64) -> impl Fn(usize) -> f64 + use<'a> {
+        let field = self.database.reals(name);
+        move |i| field.map_or(absent, |f| f.get1(i))
+    }
+
+    /// An integer array if the deck gives it: `absent` where there is no such array.
+    pub fn integers(&self, name: &str, absent: i64) -> impl Fn(usize) -> i64 + use<'a> {
+        let field = self.database.integers(name);
+        move |i| field.map_or(absent, |f| f.get1(i))
+    }
+
+    /// Where entry `i` of a one-dimensional array stands.
+    pub fn entry(&self, name: &str, i: usize) -> Option<Span> {
+        self.entry_at(name, [i, 0, 0])
+    }
+
+    /// Where an entry of an array stands.
+    pub fn entry_at(&self, name: &str, index: [usize; 3]) -> Option<Span> {
+        let keyword = yformat::keywords::find(self.database.dialect(), name)?;
+        match keyword.number {
+            yformat::keywords::NumberKind::Integer => {
+                self.database.integers(name)?.span(self.deck, index)
+            }
+            yformat::keywords::NumberKind::Real => {
+                self.database.reals(name)?.span(self.deck, index)
+            }
+        }
+    }
+
+    /// Reports entries of a real array below `least` (or not above it).
+    pub fn check_at_least(&mut self, name: &str, len: usize, least: f64, strict: bool, what: &str) {
+        let Some(field) = self.database.reals(name) else { return };
+        let wrong = |i: usize| {
+            let value = field.get1(i);
+            if strict { value <= least } else { value < least }
+        };
+        if let Some(found) = Offenders::find(len, wrong) {
+            let value = field.get1(found.first);
+            let relation = if strict { "above" } else { "of at least" };
+            self.report(
+                Diagnostic::error(
+                    "scene::value-range",
+                    format!("{name}: {what} of set {} is {value}{}", found.first, found.more()),
+                )
+                .at(self.entry(name, found.first))
+                .label(format!("{value}"))
+                .expected(format!("a {what} {relation} {least}"))
+                .help(format!("correct the {what} of set {}", found.first)),
+            );
+        }
+    }
+}

@@ -1,0 +1,158 @@
+//! A scene changed by a later stage of its deck.
+
+use super::{
+    BuildOutcome, Profile, Reader, contact, control, geometry, insertion, joints, materials,
+    node_sets, nodes::to_i32, probes, unsupported,
+};
+use crate::scene::Scene;
+use nalgebra::Vector2;
+use std::collections::BTreeSet;
+use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
+
+/// The scene after a stage that names the keywords `named`: what is not named
+/// stays as the run left it, and entities made by meshing keep their place.
+#[must_use]
+pub fn update_scene(
+    deck: &Deck,
+    database: &Database,
+    scene: &Scene,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) -> BuildOutcome {
+    let mut reader = Reader::new(deck, database);
+    let scene = update(&mut reader, scene.clone(), named, profile);
+    let findings = reader.into_findings();
+    let failed = findings.iter().any(Diagnostic::is_error);
+    BuildOutcome { scene: (!failed).then_some(scene), findings }
+}
+
+fn update(
+    reader: &mut Reader<'_>,
+    mut scene: Scene,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) -> Scene {
+    let names = |database: &str| named.iter().any(|n| n.split('/').next() == Some(database));
+    unsupported::check(reader);
+    check_counts(reader, &scene, named);
+    scene.control = control::read(reader);
+    if names("YDPE") {
+        let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
+        scene.materials = materials::read(reader);
+        if !named.contains("YDPE/I1PEJP") {
+            for (material, set) in scene.materials.iter_mut().zip(sets) {
+                material.joint_set = set;
+            }
+        }
+    }
+    if names("YDPJ") {
+        scene.cohesive_laws = joints::read(reader);
+    }
+    if names("YDPN") {
+        scene.node_sets = node_sets::read(reader, profile);
+        scene.load_history = node_sets::read_load_history(reader, scene.node_sets.len());
+    }
+    if names("YDI") || named.contains("YDC/IWFAST") {
+        scene.contact = contact::read(reader);
+    }
+    if names("YDPM") {
+        let earlier = scene.insertion.take();
+        scene.insertion = insertion::read(reader, &scene.materials);
+        if !named.contains("YDPM/I2PMSET") {
+            // codes are consumed when they are executed
+            if let (Some(new), Some(old)) = (&mut scene.insertion, earlier) {
+                new.combinations = old.combinations;
+            }
+        }
+    }
+    if names("YDO") {
+        update_probes(reader, &mut scene);
+    }
+    update_nodes(reader, &mut scene, named);
+    update_elements(reader, &mut scene, named);
+    if !reader.has_errors() {
+        materials::check_use(reader, &scene);
+        joints::check_use(reader, &scene);
+        node_sets::check_use(reader, &scene);
+        geometry::check(reader, &scene);
+    }
+    scene
+}
+
+/// Restating the counts of a mesh that has grown would cut it.
+fn check_counts(reader: &mut Reader<'_>, scene: &Scene, named: &BTreeSet<String>) {
+    let counts = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
+    for (name, now) in counts {
+        if named.contains(name) && reader.integer(name) != now as i64 {
+            reader.report(
+                Diagnostic::error(
+                    "scene::restated-count",
+                    format!(
+                        "a later stage sets {name} to {}, but the mesh has {now}",
+                        reader.integer(name)
+                    ),
+                )
+                .at(reader.place(name))
+                .expected(format!("{now}, or no {name} in this stage"))
+                .help("meshing has changed the counts; leave them out of later stages"),
+            );
+        }
+    }
+}
+
+fn update_probes(reader: &mut Reader<'_>, scene: &mut Scene) {
+    let (probes, threshold) = probes::read(reader);
+    if probes.len() != scene.probes.len() {
+        reader.report(
+            Diagnostic::error(
+                "scene::restated-count",
+                "a later stage changes the number of histories",
+            )
+            .at(reader.place("YDO/NOHYS"))
+            .expected(format!("{} histories as in the first stage", scene.probes.len())),
+        );
+    }
+    (scene.probes, scene.probe_threshold) = (probes, threshold);
+}
+
+fn update_nodes(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>) {
+    let nodes = &mut scene.nodes;
+    for (name, values) in [
+        ("YDN/D2NCI", &mut nodes.initial),
+        ("YDN/D2NCC", &mut nodes.current),
+        ("YDN/D2NVC", &mut nodes.velocity),
+    ] {
+        if let Some(field) = reader.database.reals(name).filter(|_| named.contains(name)) {
+            for (n, value) in values.iter_mut().enumerate() {
+                *value = Vector2::new(field.get2(0, n), field.get2(1, n));
+            }
+        }
+    }
+    for (name, values) in [("YDN/I1NOBF", &mut nodes.boundary_flag), ("YDN/I1NOPR", &mut nodes.set)]
+    {
+        replace(reader, name, values, named);
+    }
+}
+
+fn update_elements(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>) {
+    let elements = &mut scene.elements;
+    replace(reader, "YDE/I1ELPR", &mut elements.property, named);
+    replace(reader, "YDE/I1ELBE", &mut elements.contact_tag, named);
+    if let Some(field) =
+        reader.database.reals("YDE/D2ELST").filter(|_| named.contains("YDE/D2ELST"))
+    {
+        for (row, values) in elements.state.iter_mut().enumerate() {
+            for (e, value) in values.iter_mut().enumerate() {
+                *value = field.get2(row, e);
+            }
+        }
+    }
+}
+
+fn replace(reader: &Reader<'_>, name: &str, values: &mut [i32], named: &BTreeSet<String>) {
+    if let Some(field) = reader.database.integers(name).filter(|_| named.contains(name)) {
+        for (i, value) in values.iter_mut().enumerate() {
+            *value = to_i32(field.get1(i));
+        }
+    }
+}

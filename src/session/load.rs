@@ -1,0 +1,133 @@
+use crate::{
+    insertion::CapacityError,
+    output::OutputNames,
+    scene::{Profile, from_deck},
+    simulation::{Simulation, SolverOptions},
+};
+use std::{io, path::Path, path::PathBuf};
+use thiserror::Error;
+use yformat::{
+    database::Database,
+    deck::{Deck, Stage},
+    diagnostic::Diagnostic,
+    dialect::Dialect,
+    source::SourceMap,
+};
+
+/// A deck whose first stage is ready to run.
+#[derive(Debug)]
+pub struct LoadedDeck {
+    /// The deck.
+    pub deck: Deck,
+    /// Values after the items of the first stage.
+    pub database: Database,
+    /// Stages that end in `$YDOIT`; `None` where nothing runs.
+    pub stages: Vec<Stage>,
+    /// The first stage's simulation, meshed.
+    pub simulation: Option<Simulation>,
+    /// Warnings and notes.
+    pub findings: Vec<Diagnostic>,
+}
+
+/// Why a deck cannot be run.
+#[derive(Debug, Error)]
+pub enum DeckFault {
+    /// The file cannot be read.
+    #[error("cannot read {path}: {source}")]
+    Io {
+        /// The deck.
+        path: PathBuf,
+        /// Why.
+        source: io::Error,
+    },
+    /// The deck has errors.
+    #[error("the deck has errors")]
+    Findings {
+        /// Sources that the findings point into.
+        sources: Box<SourceMap>,
+        /// All findings, errors among them.
+        findings: Vec<Diagnostic>,
+    },
+}
+
+/// Reads a deck and prepares its first stage, without touching any output file.
+///
+/// # Errors
+/// If the file cannot be read, or with everything that is wrong with the deck.
+pub fn load(
+    path: &Path,
+    dialect: Option<Dialect>,
+    profile: Profile,
+    options: SolverOptions,
+) -> Result<LoadedDeck, DeckFault> {
+    let outcome = yformat::deck::DeckReader::new()
+        .dialect(dialect)
+        .read(path)
+        .map_err(|source| DeckFault::Io { path: path.to_path_buf(), source })?;
+    let (deck, mut findings) = (outcome.deck, outcome.diagnostics);
+    let sources = deck.sources();
+    check_dialect(&deck, &mut findings);
+    let stages: Vec<Stage> = deck.stages().into_iter().filter(|stage| stage.runs).collect();
+    let mut database = Database::new(deck.dialect());
+    let fault = |findings: Vec<Diagnostic>| {
+        let findings = findings.into_iter().map(|f| f.located(sources)).collect();
+        Err(DeckFault::Findings { sources: Box::new(sources.clone()), findings })
+    };
+    if findings.iter().any(Diagnostic::is_error) {
+        return fault(findings);
+    }
+    let Some(first) = stages.first() else {
+        let simulation = None;
+        return Ok(LoadedDeck { database, stages, simulation, findings, deck });
+    };
+    for item in first.items.clone() {
+        findings.extend(database.apply(&deck, item));
+    }
+    if findings.iter().any(Diagnostic::is_error) {
+        return fault(findings);
+    }
+    let names = OutputNames::new(path, Path::new(""));
+    let built = from_deck(&deck, &database, names.base(), profile);
+    findings.extend(built.findings);
+    let Some(scene) = built.scene else { return fault(findings) };
+    let mut simulation = Simulation::with_options(scene, options);
+    if let Err(error) = simulation.prepare() {
+        findings.push(capacity_finding(&deck, &database, &error));
+        return fault(findings);
+    }
+    let findings = findings.into_iter().map(|f| f.located(sources)).collect();
+    Ok(LoadedDeck { simulation: Some(simulation), database, stages, findings, deck })
+}
+
+fn check_dialect(deck: &Deck, findings: &mut Vec<Diagnostic>) {
+    if deck.dialect() != Dialect::Split && !findings.iter().any(Diagnostic::is_error) {
+        findings.push(
+            Diagnostic::error(
+                "deck::dialect-not-simulated",
+                format!("this is a deck of the {} dialect, which is read but not simulated yet", deck.dialect()),
+            )
+            .help("decks of the split dialect (databases YDPE, YDPN, YDPJ, YDPM) run; `--dialect` forces one"),
+        );
+    }
+}
+
+/// The finding that a mesh has no room for what is to be inserted.
+pub(super) fn capacity_finding(
+    deck: &Deck,
+    database: &Database,
+    error: &CapacityError,
+) -> Diagnostic {
+    let name = if error.keyword == "MNOPO" { "YDN/MNOPO" } else { "YDE/MELEM" };
+    let place = database.given(name).and_then(|item| deck.number_span(item, 0));
+    Diagnostic::error(
+        "scene::capacity",
+        format!(
+            "{} needs {} {} or more, {} leaves room for {}",
+            error.stage, error.needed, error.what, error.keyword, error.capacity
+        ),
+    )
+    .at(place)
+    .label(format!("room for {} {}", error.capacity, error.what))
+    .expected(format!("{} of {} or more", error.keyword, error.needed))
+    .help(format!("raise /YD/{name}; joints need 3 nodes a triangle and up to 3 more elements"))
+}

@@ -1,0 +1,328 @@
+use super::{
+    Format,
+    load::{LoadedDeck, capacity_finding},
+    observer::{Observer, Progress},
+    restage::restage,
+    summary::{RunSummary, StopReason},
+};
+use crate::{
+    output::{
+        D3plotOutput, HistoryOutput, OutputError, OutputNames, ResultWriter, RunTable,
+        StateFileOutput, TABLE_HEADER, VtuOutput, table_row,
+    },
+    scene::Profile,
+    simulation::Simulation,
+};
+use std::{
+    io::Write as _,
+    path::PathBuf,
+    time::{Duration, Instant},
+};
+use thiserror::Error;
+use yformat::{d3plot::StartDate, diagnostic::Diagnostic, part_file::PartFile, source::SourceMap};
+
+/// Time between two looks at the progress.
+const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
+/// Steps between two looks at the clock.
+const CLOCK_INTERVAL: u64 = 16;
+
+/// What to write and where.
+#[derive(Debug, Clone)]
+pub struct RunOptions {
+    /// The deck, for names and messages.
+    pub deck: PathBuf,
+    /// Folder of the results.
+    pub folder: PathBuf,
+    /// Kinds of result files.
+    pub formats: Vec<Format>,
+    /// Numbers of completed steps after which a full-precision state is written.
+    pub states: Vec<u64>,
+    /// Steps to do at most, whatever the deck says.
+    pub steps: Option<u64>,
+    /// Whether d3plot headers are exactly the original's.
+    pub legacy_d3plot: bool,
+    /// Program followed for later stages of the deck.
+    pub profile: Profile,
+}
+
+/// Why a run failed.
+#[derive(Debug, Error)]
+pub enum RunError {
+    /// A result file could not be written.
+    #[error(transparent)]
+    Output(#[from] OutputError),
+    /// Positions or velocities are no numbers any more.
+    #[error(
+        "the run has become unstable: at step {step} (time {time:e} s) the kinetic energy is {energy}; \
+         try a shorter time step (DCSTEC), smaller penalties or more viscosity (D1PEKS). \
+         Results up to then are complete"
+    )]
+    Unstable {
+        /// Step at which it was found.
+        step: u64,
+        /// Physical time, s.
+        time: f64,
+        /// The offending value.
+        energy: f64,
+    },
+    /// A later stage of the deck cannot be run.
+    #[error("a later stage of the deck has errors; results of the earlier stages are complete")]
+    Stage {
+        /// Sources that the findings point into.
+        sources: Box<SourceMap>,
+        /// Findings, errors among them.
+        findings: Vec<Diagnostic>,
+    },
+}
+
+/// Runs all stages of a deck.
+///
+/// # Errors
+/// If a file cannot be written, the motion becomes unstable, or a later stage
+/// has errors. Files of complete states are completed all the same.
+pub fn run(
+    loaded: LoadedDeck,
+    options: &RunOptions,
+    observer: &mut dyn Observer,
+) -> Result<RunSummary, RunError> {
+    let names = OutputNames::new(&options.deck, &options.folder);
+    std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
+    let mut log = RunTable::create(&names.log())?;
+    observer.findings(&loaded.findings, loaded.deck.sources());
+    let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
+    let Some(simulation) = &loaded.simulation else {
+        for line in loaded.deck.echo_lines().iter().chain(&warnings) {
+            log.line(line)?;
+        }
+        return Ok(empty_summary(options, warnings));
+    };
+    let writers = open_writers(options, &names, simulation)?;
+    let mut session = Session {
+        options,
+        observer,
+        log,
+        writers,
+        warnings,
+        started: Instant::now(),
+        last_progress: Instant::now(),
+        done: 0,
+        triangle_steps: 0,
+    };
+    let (simulation, outcome) = session.run_stages(loaded);
+    session.complete(&simulation, outcome, &names)
+}
+
+fn open_writers(
+    options: &RunOptions,
+    names: &OutputNames,
+    simulation: &Simulation,
+) -> Result<Vec<Box<dyn ResultWriter>>, OutputError> {
+    let mut writers: Vec<Box<dyn ResultWriter>> = Vec::new();
+    if options.formats.contains(&Format::Yh) {
+        writers.push(Box::new(HistoryOutput::open(names, simulation)?));
+    }
+    if options.formats.contains(&Format::D3plot) {
+        let today = jiff::Zoned::now().date();
+        let start = StartDate {
+            day: today.day().unsigned_abs(),
+            month: today.month().unsigned_abs(),
+            year: today.year().unsigned_abs(),
+        };
+        writers.push(Box::new(D3plotOutput::new(names, start, options.legacy_d3plot)));
+    }
+    if options.formats.contains(&Format::Vtu) {
+        writers.push(Box::new(VtuOutput::new(names)));
+    }
+    if !options.states.is_empty() {
+        writers.push(Box::new(StateFileOutput::new(names, options.states.iter().copied())));
+    }
+    Ok(writers)
+}
+
+struct Session<'a> {
+    options: &'a RunOptions,
+    observer: &'a mut dyn Observer,
+    log: RunTable,
+    writers: Vec<Box<dyn ResultWriter>>,
+    warnings: Vec<String>,
+    started: Instant,
+    last_progress: Instant,
+    done: u64,
+    triangle_steps: u64,
+}
+
+impl Session<'_> {
+    fn run_stages(&mut self, loaded: LoadedDeck) -> (Simulation, Result<StopReason, RunError>) {
+        let LoadedDeck { deck, mut database, stages, simulation, .. } = loaded;
+        let Some(mut simulation) = simulation else {
+            unreachable!("a run without simulation ends before its stages");
+        };
+        let outcome = (|| {
+            for (index, stage) in stages.iter().enumerate() {
+                for item in stage.items.clone() {
+                    if let Some(line) = deck.echo_of(item) {
+                        self.log.line(&line)?;
+                    }
+                }
+                if index == 0 {
+                    for warning in &self.warnings {
+                        self.log.line(warning)?;
+                    }
+                } else {
+                    restage(&deck, stage, &mut database, &mut simulation, self.options.profile)
+                        .and_then(|()| {
+                            simulation
+                                .prepare()
+                                .map_err(|e| vec![capacity_finding(&deck, &database, &e)])
+                        })
+                        .map_err(|findings| {
+                            let sources = Box::new(deck.sources().clone());
+                            RunError::Stage { sources, findings }
+                        })?;
+                }
+                if self.run_stage(&mut simulation)? == StopReason::Interrupted {
+                    return Ok(StopReason::Interrupted);
+                }
+            }
+            Ok(StopReason::Finished)
+        })();
+        (simulation, outcome)
+    }
+
+    fn run_stage(&mut self, simulation: &mut Simulation) -> Result<StopReason, RunError> {
+        let control = &simulation.scene().control;
+        let interval = control.table_interval;
+        let to_do = control.end_step.saturating_sub(simulation.step_index());
+        let limit = self.options.steps.map_or(to_do, |n| to_do.min(n.saturating_sub(self.done)));
+        let total = self.done + limit;
+        let deck = self.options.deck.display().to_string();
+        self.observer.stage_starts(&deck, simulation, limit);
+        self.log.line(TABLE_HEADER)?;
+        let triangles = simulation.triangles().count() as u64;
+        for _ in 0..limit {
+            if self.observer.wants_stop() {
+                return Ok(StopReason::Interrupted);
+            }
+            if simulation.step_index().is_multiple_of(interval) {
+                self.row(simulation, total)?;
+            } else if self.done.is_multiple_of(CLOCK_INTERVAL)
+                && self.last_progress.elapsed() > PROGRESS_INTERVAL
+            {
+                self.last_progress = Instant::now();
+                let progress = self.progress(simulation, total);
+                self.observer.progress(&progress);
+            }
+            simulation.evaluate_forces();
+            for writer in &mut self.writers {
+                writer.after_forces(simulation)?;
+            }
+            simulation.advance();
+            self.done += 1;
+            self.triangle_steps += triangles;
+            for writer in &mut self.writers {
+                writer.after_step(simulation)?;
+            }
+        }
+        Ok(StopReason::Finished)
+    }
+
+    fn row(&mut self, simulation: &Simulation, total: u64) -> Result<(), RunError> {
+        let progress = self.progress(simulation, total);
+        let date = jiff::Zoned::now().strftime("%d/%m/%Y %H:%M:%S").to_string();
+        let row = table_row(progress.step, progress.time, &date, progress.seconds);
+        self.log.line(&row)?;
+        self.observer.row(&row, &progress);
+        let energy = progress.kinetic_energy;
+        if energy.is_finite() {
+            Ok(())
+        } else {
+            Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
+        }
+    }
+
+    fn progress(&self, simulation: &Simulation, total: u64) -> Progress {
+        Progress {
+            done: self.done,
+            total,
+            step: simulation.step_index(),
+            time: simulation.time(),
+            kinetic_energy: simulation.sum_kinetic_energy(),
+            seconds: self.started.elapsed().as_secs_f64(),
+        }
+    }
+
+    /// Completes all files, also after a failure, and sums the run up.
+    fn complete(
+        self,
+        simulation: &Simulation,
+        outcome: Result<StopReason, RunError>,
+        names: &OutputNames,
+    ) -> Result<RunSummary, RunError> {
+        let seconds = self.started.elapsed().as_secs_f64();
+        let mut files = Vec::new();
+        let mut failure = None;
+        for writer in self.writers {
+            match writer.finish() {
+                Ok(finished) => files.extend(finished),
+                Err(error) => failure = failure.or(Some(error)),
+            }
+        }
+        let stop = outcome?;
+        if let Some(error) = failure {
+            return Err(error.into());
+        }
+        let work = simulation.couple_work().unwrap_or_default();
+        let mut summary = RunSummary {
+            stop,
+            steps: self.done,
+            time: simulation.time(),
+            nodes: simulation.scene().nodes.len(),
+            triangles: simulation.triangles().count(),
+            broken_joints: simulation.failures().len(),
+            kinetic_energy: simulation.sum_kinetic_energy(),
+            seconds,
+            triangle_steps_per_second: self.triangle_steps as f64 / seconds.max(1e-9),
+            detections: work.detections,
+            couples_evaluated: work.evaluated,
+            couples_rested: work.rested,
+            files,
+            ..empty_summary(self.options, self.warnings)
+        };
+        if self.options.formats.contains(&Format::Json) {
+            summary.files.push(write_summary(names.summary(), &summary)?);
+        }
+        self.observer.finished(&summary);
+        Ok(summary)
+    }
+}
+
+fn write_summary(path: PathBuf, summary: &RunSummary) -> Result<PathBuf, OutputError> {
+    let write = || {
+        let mut file = PartFile::create(&path)?;
+        serde_json::to_writer_pretty(&mut file, summary)?;
+        writeln!(file)?;
+        file.complete()
+    };
+    write().map_err(OutputError::io(path.clone()))
+}
+
+fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
+    RunSummary {
+        version: env!("CARGO_PKG_VERSION").to_owned(),
+        deck: options.deck.clone(),
+        stop: StopReason::Finished,
+        steps: 0,
+        time: 0.0,
+        nodes: 0,
+        triangles: 0,
+        broken_joints: 0,
+        kinetic_energy: 0.0,
+        seconds: 0.0,
+        triangle_steps_per_second: 0.0,
+        detections: 0,
+        couples_evaluated: 0,
+        couples_rested: 0,
+        warnings,
+        files: Vec::new(),
+    }
+}

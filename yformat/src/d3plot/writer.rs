@@ -1,0 +1,121 @@
+//! Streams a family to disk.
+
+use std::io::Write as _;
+use std::path::{Path, PathBuf};
+
+use super::control::ControlBlock;
+use super::encode;
+use super::error::WriteError;
+use super::family::{END_OF_FILE_MARKER, member_path};
+use super::geometry::Geometry;
+use super::layout::StateLayout;
+use super::state::{State, StateView};
+use crate::part_file::PartFile;
+
+/// Writes a family, state after state.
+///
+/// Every file is written as `<name>.part` beside its final place and renamed when it is
+/// complete: at the roll-over to the next file, or by [`FamilyWriter::finish`]. A run that dies
+/// leaves the last file under its `.part` name, whole states only as far as the operating
+/// system took them. Each state is one write, from one buffer that is kept.
+#[derive(Debug)]
+pub struct FamilyWriter {
+    first: PathBuf,
+    layout: StateLayout,
+    states_per_file: u64,
+    file: PartFile,
+    member: u32,
+    states_in_file: u64,
+    completed: Vec<PathBuf>,
+    buffer: Vec<u8>,
+}
+
+/// What [`FamilyWriter::finish`] left on disk.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Finished {
+    /// The files of the family, in order.
+    pub files: Vec<PathBuf>,
+    /// Files of an earlier, longer family of the same name that follow this one. Programs that
+    /// go by file names would take them for its continuation.
+    pub stale: Vec<PathBuf>,
+}
+
+impl FamilyWriter {
+    /// Starts a family whose first file is to be `path`, and writes control block and geometry.
+    ///
+    /// `states_per_file` is [`super::states_per_file`] for Y's own rule; 0 counts as 1.
+    pub fn create(
+        path: &Path,
+        control: ControlBlock,
+        geometry: &Geometry,
+        states_per_file: u64,
+    ) -> Result<Self, WriteError> {
+        let layout = StateLayout::new(&control)?;
+        let mut buffer = control.to_bytes().to_vec();
+        encode::geometry(&mut buffer, &layout, geometry)?;
+        let mut file = PartFile::create(path).map_err(WriteError::io(path))?;
+        file.write_all(&buffer).map_err(WriteError::io(path))?;
+        Ok(Self {
+            first: path.to_path_buf(),
+            layout,
+            states_per_file: states_per_file.max(1),
+            file,
+            member: 0,
+            states_in_file: 0,
+            completed: Vec::new(),
+            buffer,
+        })
+    }
+
+    /// Appends a state, rounded to single precision. A state with arrays of wrong lengths is
+    /// refused and nothing of it is written.
+    pub fn write_state(&mut self, state: &StateView<'_>) -> Result<(), WriteError> {
+        self.buffer.clear();
+        encode::view(&mut self.buffer, &self.layout, state)?;
+        self.append()
+    }
+
+    /// Appends a state as it was read from another family, bit for bit.
+    pub fn copy_state(&mut self, state: &State) -> Result<(), WriteError> {
+        self.buffer.clear();
+        encode::recorded(&mut self.buffer, &self.layout, state)?;
+        self.append()
+    }
+
+    /// Completes the last file.
+    pub fn finish(mut self) -> Result<Finished, WriteError> {
+        self.completed.push(complete(self.file)?);
+        let stale = (self.member + 1..)
+            .map(|member| member_path(&self.first, member))
+            .take_while(|path| path.exists())
+            .collect();
+        Ok(Finished { files: self.completed, stale })
+    }
+
+    /// Writes the record in the buffer, in the next file when this one is full.
+    fn append(&mut self) -> Result<(), WriteError> {
+        if self.states_in_file == self.states_per_file {
+            self.roll_over()?;
+        }
+        self.file.write_all(&self.buffer).map_err(WriteError::io(self.file.temporary_path()))?;
+        self.states_in_file += 1;
+        Ok(())
+    }
+
+    fn roll_over(&mut self) -> Result<(), WriteError> {
+        let marker = END_OF_FILE_MARKER.to_le_bytes();
+        self.file.write_all(&marker).map_err(WriteError::io(self.file.temporary_path()))?;
+        self.member += 1;
+        let path = member_path(&self.first, self.member);
+        let next = PartFile::create(&path).map_err(WriteError::io(&path))?;
+        let full = std::mem::replace(&mut self.file, next);
+        self.completed.push(complete(full)?);
+        self.states_in_file = 0;
+        Ok(())
+    }
+}
+
+fn complete(file: PartFile) -> Result<PathBuf, WriteError> {
+    let refused = WriteError::io(file.path());
+    file.complete().map_err(refused)
+}
