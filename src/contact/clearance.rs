@@ -28,7 +28,7 @@ const NOISE: f64 = 1e-9;
 /// `nodes` are the node numbers, `corners` the current positions, of target
 /// and contactor. `buffer` is the detection buffer.
 #[must_use]
-pub fn clearance(nodes: &[[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -> f64 {
+pub fn clearance(nodes: [&[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -> f64 {
     let couple = Couple::new(nodes, corners);
     let noise = NOISE * couple.extent * couple.extent;
     let mut slack = couple.areas[0].min(couple.areas[1]);
@@ -69,7 +69,7 @@ impl Side {
 }
 
 struct Couple<'a> {
-    nodes: &'a [[u32; 3]; 2],
+    nodes: [&'a [u32; 3]; 2],
     /// Numerator of corner `i` of triangle `t` at edge `e` of the other: `[t][i][e]`.
     sides: [[[Side; 3]; 3]; 2],
     /// Twice the areas.
@@ -81,7 +81,7 @@ struct Couple<'a> {
 }
 
 impl<'a> Couple<'a> {
-    fn new(nodes: &'a [[u32; 3]; 2], corners: &[[Vec2; 3]; 2]) -> Self {
+    fn new(nodes: [&'a [u32; 3]; 2], corners: &[[Vec2; 3]; 2]) -> Self {
         let twice_area = |from: Vec2, to: Vec2, p: Vec2| {
             (from.x - p.x) * (to.y - from.y) + (from.y - p.y) * (from.x - to.x)
         };
@@ -99,9 +99,17 @@ impl<'a> Couple<'a> {
             low = low.inf(p);
             high = high.sup(p);
         }
+        let mut sides = [[[Side::On; 3]; 3]; 2];
+        for t in 0..2 {
+            for i in 0..3 {
+                for e in 0..3 {
+                    sides[t][i][e] = side(t, i, e);
+                }
+            }
+        }
         Self {
             nodes,
-            sides: [0, 1].map(|t| [0, 1, 2].map(|i| [0, 1, 2].map(|e| side(t, i, e)))),
+            sides,
             areas: [0, 1].map(|t| twice_area(corners[t][0], corners[t][1], corners[t][2])),
             edges: [0, 1].map(|t| {
                 [0, 1, 2].map(|e| (corners[t][(e + 1) % 3] - corners[t][e]).norm_squared())
@@ -157,27 +165,27 @@ mod tests {
     #[test]
     fn separated_triangles_rest_for_part_of_their_gap() {
         let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 1.1))];
-        let b = clearance(&[[0, 1, 2], [3, 4, 5]], &corners, 0.2);
+        let b = clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.2);
         assert!(b > 0.0 && b < 0.05, "{b}");
     }
 
     #[test]
     fn overlapping_triangles_never_rest() {
         let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 0.9))];
-        assert_eq!(clearance(&[[0, 1, 2], [3, 4, 5]], &corners, 0.2), 0.0);
+        assert_eq!(clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.2), 0.0);
     }
 
     #[test]
     fn couples_about_to_be_dropped_never_rest() {
         let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 1.1))];
-        assert_eq!(clearance(&[[0, 1, 2], [3, 4, 5]], &corners, 0.01), 0.0);
+        assert_eq!(clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.01), 0.0);
     }
 
     #[test]
     fn triangles_that_share_an_edge_rest_whatever_the_buffer() {
         let [a, b, c] = unit(Vec2::zeros());
         let d = Vec2::new(1.0, 1.0);
-        let b_rest = clearance(&[[0, 1, 2], [2, 1, 3]], &[[a, b, c], [c, b, d]], 0.0);
+        let b_rest = clearance([&[0, 1, 2], &[2, 1, 3]], &[[a, b, c], [c, b, d]], 0.0);
         assert!(b_rest > 0.1, "{b_rest}");
     }
 }

@@ -76,8 +76,8 @@ impl PairTable {
     /// # Panics
     /// If the rank did not come from [`Self::rank`].
     #[must_use]
-    pub fn properties(&self, rank: u32) -> PairProperties {
-        self.pairs[rank as usize].expect("rank of a pair that touches")
+    pub fn properties(&self, rank: u32) -> &PairProperties {
+        self.pairs[rank as usize].as_ref().expect("rank of a pair that touches")
     }
 }
 

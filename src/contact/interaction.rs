@@ -6,29 +6,15 @@ use super::{
     couples::CoupleList,
     detection::{Detector, Participants},
     friction::PairTable,
-    overlap2::{Proximity, SideForces, overlap},
+    overlap2::{Couple, Proximity, SideForces, overlap},
+    placement::Shape,
+    visits::Visits,
 };
 use crate::{
     mechanics::Vec2,
     scene::{ContactSettings, ElementKind, Elements, Material, Nodes},
 };
-
-/// A couple in the order of evaluation.
-#[derive(Debug, Clone, Copy)]
-struct Visit {
-    rank: u32,
-    contactor: u32,
-    slot: u32,
-    target_nodes: [u32; 3],
-    contactor_nodes: [u32; 3],
-    /// Path length up to which the couple rests.
-    rest: f64,
-    /// Evaluations to go before it is asked again whether the couple may rest.
-    patience: u8,
-}
-
-/// Slot of a visit whose couple has been removed since the last sorting.
-const REMOVED: u32 = u32::MAX;
+use multiversion::multiversion;
 
 /// A couple that could not be let rest is asked again after so many evaluations.
 const PATIENCE: u8 = 15;
@@ -56,7 +42,7 @@ pub struct Contact {
     couples: CoupleList,
     detector: Detector,
     pairs: PairTable,
-    visits: Vec<Visit>,
+    visits: Visits,
     /// Travel accumulated since the last detection, m.
     travel: f64,
     /// Path of the fastest node since the start: no node has moved further, m.
@@ -86,7 +72,7 @@ impl Contact {
             settings,
             detector: Detector::default(),
             pairs: PairTable::default(),
-            visits: Vec::new(),
+            visits: Visits::default(),
             moving_nodes: Vec::new(),
             work: CoupleWork::default(),
         }
@@ -134,7 +120,7 @@ impl Contact {
         self.couples.wake_all();
         // a rigid triangle's nodes may move further than their velocities tell
         self.rests &= materials.iter().all(|m| m.kind != ElementKind::RigidTriangle);
-        self.sort_visits(elements);
+        self.visits.sort(&self.couples, &self.pairs, elements);
     }
 
     /// Accumulates travel and detects when it has used up the buffer.
@@ -169,85 +155,74 @@ impl Contact {
         };
         self.detector.update(&scene, elements, &mut self.couples);
         self.work.most_couples = self.work.most_couples.max(self.couples.len());
-        self.sort_visits(elements);
+        self.visits.sort(&self.couples, &self.pairs, elements);
     }
 
     /// Adds the contact forces of all couples and drops those that came apart.
     pub fn interact(&mut self, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) {
-        let drop_distance = 4.0 * self.settings.buffer * self.settings.buffer;
-        let mut sides = [SideForces::default(); 2];
-        let (mut removed, mut evaluated) = (false, 0);
-        for visit in &mut self.visits {
-            if self.path < visit.rest {
-                continue;
+        let dropped = interact_all(self, nodes, dt, forces);
+        if dropped {
+            self.visits.forget_dropped();
+        }
+    }
+}
+
+/// Evaluates the couples that do not rest; tells whether one was dropped.
+///
+/// Compiled for several instruction sets and chosen at run time; all give the
+/// same bits, because nothing is fused or reassociated.
+#[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt", "x86_64+avx"))]
+fn interact_all(contact: &mut Contact, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) -> bool {
+    let Visits { list, corners, shapes, .. } = &mut contact.visits;
+    for (shape, ids) in shapes.iter_mut().zip(corners.iter()) {
+        let [p, q, r] = *ids;
+        let at = |node: u32| nodes.current[node as usize];
+        *shape = Shape::new([at(p), at(q), at(r)]);
+    }
+    let buffer = contact.settings.buffer;
+    let mut sides = [SideForces::default(); 2];
+    let (mut dropped, mut evaluated) = (false, 0);
+    for visit in list.iter_mut() {
+        if contact.path < visit.rest {
+            continue;
+        }
+        evaluated += 1;
+        let [target, contactor] = [visit.participants[0] as usize, visit.participants[1] as usize];
+        let ids = [&corners[target], &corners[contactor]];
+        let couple = Couple {
+            shapes: [&shapes[target], &shapes[contactor]],
+            pair: contact.pairs.properties(visit.rank),
+            dt,
+            drop_distance_squared: 4.0 * buffer * buffer,
+        };
+        let velocity = |t: usize, i: usize| nodes.velocity[ids[t][i] as usize];
+        let sliding = contact.couples.sliding_mut(visit.slot);
+        match overlap(&couple, velocity, sliding, &mut sides) {
+            Proximity::Near => {
+                sides[0].scatter(ids[0], ids[1], forces);
+                sides[1].scatter(ids[1], ids[0], forces);
             }
-            evaluated += 1;
-            let ids = [visit.target_nodes, visit.contactor_nodes];
-            let mut corners = [[Vec2::zeros(); 3]; 2];
-            for t in 0..2 {
-                for i in 0..3 {
-                    corners[t][i] = nodes.current[ids[t][i] as usize];
-                }
+            Proximity::Beyond => {
+                contact.couples.remove(visit.contactor, visit.slot);
+                visit.drop_couple();
+                dropped = true;
             }
-            let pair = self.pairs.properties(visit.rank);
-            let sliding = self.couples.sliding_mut(visit.slot);
-            let velocity = |t: usize, i: usize| nodes.velocity[ids[t][i] as usize];
-            let result = overlap(&corners, velocity, &pair, dt, sliding, &mut sides);
-            sides[0].scatter(&ids[0], &ids[1], forces);
-            sides[1].scatter(&ids[1], &ids[0], forces);
-            let Proximity::Apart { distance_squared } = result else { continue };
-            if distance_squared > drop_distance {
-                self.couples.remove(visit.contactor, visit.slot);
-                visit.slot = REMOVED;
-                removed = true;
-            } else if self.rests && visit.patience > 0 {
-                visit.patience -= 1;
-            } else if self.rests {
-                let free = clearance(&ids, &corners, self.settings.buffer);
+            Proximity::Clear if !contact.rests => {}
+            Proximity::Clear if visit.patience > 0 => visit.patience -= 1,
+            Proximity::Clear => {
+                let positions = [couple.shapes[0].corners(), couple.shapes[1].corners()];
+                let free = clearance([ids[0], ids[1]], &positions, buffer);
                 // worth it for some steps, and resolved by the sum of the path
-                if free > WORTHWHILE_STEPS * self.advance && free > 1e-9 * self.path {
-                    visit.rest = self.path + free;
-                    self.couples.set_rest(visit.slot, visit.rest);
+                if free > WORTHWHILE_STEPS * contact.advance && free > 1e-9 * contact.path {
+                    visit.rest = contact.path + free;
+                    contact.couples.set_rest(visit.slot, visit.rest);
                 } else {
                     visit.patience = PATIENCE;
                 }
             }
         }
-        self.work.evaluated += evaluated;
-        self.work.rested += self.visits.len() as u64 - evaluated;
-        if removed {
-            self.visits.retain(|visit| visit.slot != REMOVED);
-        }
     }
-
-    /// Orders the couples: by material pair, then contactor, then newest first.
-    fn sort_visits(&mut self, elements: &Elements) {
-        self.visits.clear();
-        for contactor in 0..elements.len() as u32 {
-            for slot in self.couples.of(contactor) {
-                let target = self.couples.target(slot);
-                let property = |e: u32| elements.property[e as usize];
-                if let Some(rank) = self.pairs.rank(property(contactor), property(target)) {
-                    let rest = self.couples.rest(slot);
-                    let (target_nodes, contactor_nodes) =
-                        (corner_nodes(elements, target), corner_nodes(elements, contactor));
-                    self.visits.push(Visit {
-                        rest,
-                        patience: 0,
-                        rank,
-                        contactor,
-                        slot,
-                        target_nodes,
-                        contactor_nodes,
-                    });
-                }
-            }
-        }
-        // stable: keeps the order of contactors and of their chains
-        self.visits.sort_by_key(|visit| visit.rank);
-    }
-}
-
-fn corner_nodes(elements: &Elements, element: u32) -> [u32; 3] {
-    elements.corners::<3>(element as usize).map(|n| n as u32)
+    contact.work.evaluated += evaluated;
+    contact.work.rested += list.len() as u64 - evaluated;
+    dropped
 }

@@ -7,10 +7,14 @@ mod detection;
 mod friction;
 mod interaction;
 mod overlap2;
+mod placement;
+mod profile;
+mod visits;
 
 pub use clearance::clearance;
 pub use couples::CoupleList;
 pub use detection::{Detector, Participants};
 pub use friction::{PairProperties, PairTable};
 pub use interaction::{Contact, CoupleWork};
-pub use overlap2::{AreaCoordinates, Proximity, SideForces, overlap};
+pub use overlap2::{Couple, Proximity, SideForces, overlap};
+pub use placement::{AreaCoordinates, Shape};

@@ -88,7 +88,7 @@ pub fn load(
     }
     let names = OutputNames::new(path, Path::new(""));
     let built = from_deck(&deck, &database, names.base(), profile);
-    findings.extend(built.findings);
+    findings.extend(built.findings.into_iter().map(|finding| anchored(finding, &deck, first)));
     let Some(scene) = built.scene else { return fault(findings) };
     let mut simulation = Simulation::with_options(scene, options);
     if let Err(error) = simulation.prepare() {
@@ -97,6 +97,15 @@ pub fn load(
     }
     let findings = findings.into_iter().map(|f| f.located(sources)).collect();
     Ok(LoadedDeck { simulation: Some(simulation), database, stages, findings, deck })
+}
+
+/// What the deck does not give has no place: it is missed at the stage's `$YDOIT`.
+pub(super) fn anchored(finding: Diagnostic, deck: &Deck, stage: &Stage) -> Diagnostic {
+    if finding.span.is_some() {
+        return finding;
+    }
+    let run = stage.items.end.checked_sub(1).and_then(|item| deck.word_span(item));
+    finding.at(run).label("not given up to here")
 }
 
 fn check_dialect(deck: &Deck, findings: &mut Vec<Diagnostic>) {

@@ -1,6 +1,7 @@
 //! Later `$YDOIT` stages: everything persists, a stage changes what it names
 //! (spec `deck.md` 1.5).
 
+use super::load::anchored;
 use crate::{
     scene::{Profile, update_scene},
     simulation::Simulation,
@@ -36,7 +37,7 @@ pub(super) fn restage(
     }
     if !findings.iter().any(Diagnostic::is_error) {
         let outcome = update_scene(deck, database, simulation.scene(), &named, profile);
-        findings.extend(outcome.findings);
+        findings.extend(outcome.findings.into_iter().map(|f| anchored(f, deck, stage)));
         if let Some(scene) = outcome.scene.filter(|_| !findings.iter().any(Diagnostic::is_error)) {
             let travel = named.contains("YDI/DIEDI").then(|| database.real("YDI/DIEDI"));
             simulation.continue_with(scene, travel);

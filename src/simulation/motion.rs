@@ -1,8 +1,8 @@
-use super::Simulation;
+use super::{Simulation, plan::PlannedNode};
 use crate::{
     TOLERANCE,
     mechanics::{Vec2, rigid_triangle, triangle},
-    scene::{Condition, NodeSet},
+    scene::{Condition, NodeSet, Nodes},
 };
 use nalgebra::Matrix2;
 
@@ -27,6 +27,22 @@ impl Drive {
             .then(|| (axes, triangle::inverse(&axes, determinant)));
         let amplitudes = set.amplitudes.map(|a| a * factor);
         Self { conditions: set.conditions, amplitudes, gravity, dt, frame }
+    }
+
+    /// Whether the nodes move under forces along the global axes.
+    fn is_free(&self) -> bool {
+        self.frame.is_none() && self.conditions == [Condition::Force; 2]
+    }
+
+    /// Velocity at the end of the step of a node for which [`Self::is_free`] holds.
+    #[inline]
+    fn free_velocity(&self, velocity: Vec2, force: Vec2, mass: f64) -> Vec2 {
+        let [ax, ay] = self.amplitudes;
+        let fy = force.y + self.gravity * mass;
+        Vec2::new(
+            velocity.x + (ax + force.x) / mass * self.dt,
+            velocity.y + (ay + fy) / mass * self.dt,
+        )
     }
 
     /// Velocity at the end of the step.
@@ -57,6 +73,28 @@ impl Drive {
     }
 }
 
+/// Moves the nodes of a set with the velocity that `drive` makes of velocity,
+/// force and mass. Nodes without mass stay.
+#[inline]
+fn integrate(
+    of_set: &[PlannedNode],
+    nodes: &mut Nodes<2>,
+    masses: &[f64],
+    forces: &[Vec2],
+    dt: f64,
+    drive: impl Fn(Vec2, Vec2, f64) -> Vec2,
+) {
+    for planned in of_set {
+        let n = planned.node as usize;
+        let mass = masses[n];
+        if mass > TOLERANCE {
+            let velocity = drive(nodes.velocity[n], forces[n], mass);
+            nodes.velocity[n] = velocity;
+            nodes.current[n] += velocity * dt;
+        }
+    }
+}
+
 #[inline]
 fn apply(m: &Matrix2<f64>, v: Vec2) -> Vec2 {
     Vec2::new(m[(0, 0)] * v.x + m[(0, 1)] * v.y, m[(1, 0)] * v.x + m[(1, 1)] * v.y)
@@ -74,14 +112,14 @@ impl Simulation {
             let index = of_set[0].set as usize;
             let factor = history.map_or(1.0, |h| h.factor(index, time));
             let drive = Drive::new(&self.scene.node_sets[index], factor, gravity, dt);
-            for planned in of_set {
-                let n = planned.node as usize;
-                let mass = self.mass[n];
-                if mass > TOLERANCE {
-                    let velocity = drive.velocity(nodes.velocity[n], self.force[n], mass);
-                    nodes.velocity[n] = velocity;
-                    nodes.current[n] += velocity * dt;
-                }
+            if drive.is_free() {
+                integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
+                    drive.free_velocity(v, f, m)
+                });
+            } else {
+                integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
+                    drive.velocity(v, f, m)
+                });
             }
         }
     }

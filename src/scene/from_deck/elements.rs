@@ -1,4 +1,8 @@
-use super::{Reader, nodes::to_i32, reader::Offenders};
+use super::{
+    Reader,
+    nodes::to_i32,
+    reader::{Offenders, numbers_of},
+};
 use crate::scene::{BROKEN_JOINT, CLOSED_EDGE, Elements};
 use yformat::{database::Field, diagnostic::Diagnostic};
 
@@ -19,8 +23,10 @@ pub(super) fn read(
         return None;
     }
     let corner = |e: usize, i: usize| topology.get2(i, e);
-    check_topology(reader, topology, len, nodes);
-    check_properties(reader, property, len, materials, laws, |e| corner(e, 3) >= 0);
+    // without materials their count or types are wrong, which has been reported
+    if check_topology(reader, topology, len, nodes) && materials > 0 {
+        check_properties(reader, property, len, materials, laws, |e| corner(e, 3) >= 0);
+    }
     let tag = reader.integers("YDE/I1ELBE", -1);
     let rows = usize::try_from(reader.integer("YDE/MELNO")).unwrap_or(0);
     let state_rows = usize::try_from(reader.integer("YDE/MELST")).unwrap_or(0).min(64);
@@ -42,7 +48,12 @@ pub(super) fn read(
     })
 }
 
-fn check_topology(reader: &mut Reader<'_>, topology: &Field<i64>, len: usize, nodes: usize) {
+fn check_topology(
+    reader: &mut Reader<'_>,
+    topology: &Field<i64>,
+    len: usize,
+    nodes: usize,
+) -> bool {
     let rows = topology.given_shape().first().copied().unwrap_or(0);
     if rows < 3 {
         reader.report(
@@ -53,7 +64,7 @@ fn check_topology(reader: &mut Reader<'_>, topology: &Field<i64>, len: usize, no
             .at(reader.word("YDE/I2ELTO"))
             .expected("3 nodes a triangle: `21 3 <number of elements>`"),
         );
-        return;
+        return false;
     }
     for i in 0..3 {
         let wrong = |e: usize| !(0..nodes as i64).contains(&topology.get2(i, e));
@@ -62,14 +73,18 @@ fn check_topology(reader: &mut Reader<'_>, topology: &Field<i64>, len: usize, no
             reader.report(
                 Diagnostic::error(
                     "scene::node-number",
-                    format!("element {} has node {node}, which does not exist{}", found.first, found.more()),
+                    format!(
+                        "element {} has node {node}, which does not exist{}",
+                        found.first,
+                        found.more()
+                    ),
                 )
                 .at(reader.entry_at("YDE/I2ELTO", [i, found.first, 0]))
                 .label(format!("node {node}"))
-                .expected(format!("a node number from 0 to {}", nodes.saturating_sub(1)))
-                .help("node numbers begin with 0; check whether the deck was made with numbers from 1"),
+                .expected(format!("a node: {}", numbers_of(nodes)))
+                .help("nodes are numbered from 0; check whether this deck numbers them from 1"),
             );
-            return;
+            return false;
         }
     }
     let wrong = |e: usize| topology.get2(3, e) >= nodes as i64;
@@ -84,9 +99,12 @@ fn check_topology(reader: &mut Reader<'_>, topology: &Field<i64>, len: usize, no
                 ),
             )
             .at(reader.entry_at("YDE/I2ELTO", [3, found.first, 0]))
-            .expected(format!("-1 for triangles, 0 to {} for joints", nodes.saturating_sub(1))),
+            .expected(format!("-1 for triangles, {} for joints", numbers_of(nodes)))
+            .help("the element table needs only 3 rows: give `21 3 <number of elements>`"),
         );
+        return false;
     }
+    true
 }
 
 fn check_properties(
@@ -116,7 +134,7 @@ fn check_properties(
                 format!("{first_law} to {} for live joints, -1000 or -1001 for dead ones", end - 1),
             )
         } else {
-            ("triangle", format!("a property set from 0 to {}", first_law - 1))
+            ("triangle", format!("an element property set: {}", numbers_of(materials)))
         };
         reader.report(
             Diagnostic::error(
@@ -126,7 +144,7 @@ fn check_properties(
             .at(reader.entry("YDE/I1ELPR", e))
             .label(format!("property {code}"))
             .expected(expected)
-            .help("correct I1ELPR, or raise NPROP and give the properties of that set"),
+            .help("property sets are numbered from 0; correct I1ELPR, or raise NPROP and give the properties of that set"),
         );
     }
 }

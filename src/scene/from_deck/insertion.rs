@@ -1,8 +1,12 @@
-use super::{Reader, joints, nodes::to_i32};
+use super::{Reader, joints, nodes::to_i32, reader::numbers_of};
 use crate::scene::{Combination, Insertion, JointPair, Material};
 use yformat::{database::Field, diagnostic::Diagnostic};
 
 pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<Insertion> {
+    // without materials their count or types are wrong, which has been reported
+    if materials.is_empty() {
+        return None;
+    }
     let table = reader.database.integers("YDPM/I2PMSET").filter(|f| f.item().is_some())?;
     let columns = usize::try_from(reader.integer("YDPM/MPMCOL")).unwrap_or(0);
     let records = table.given_shape().get(1).copied().unwrap_or(0);
@@ -63,7 +67,8 @@ fn combination(
                 ),
             )
             .at(reader.entry_at("YDPM/I2PMSET", [2 + k, record, 0]))
-            .expected(format!("a property set from 0 to {}", materials.saturating_sub(1))),
+            .expected(format!("an element property set: {}", numbers_of(materials)))
+            .help("a record is `<number of materials> <code> <material> <material> ...`"),
         );
         return None;
     }

@@ -1,9 +1,15 @@
-use super::{Reader, reader::Offenders};
+use super::{
+    Reader,
+    reader::{Offenders, numbers_of},
+};
 use crate::scene::{CohesiveLaw, Scene};
 use yformat::diagnostic::Diagnostic;
 
+/// What cohesive laws are called in findings.
+const WHAT: &str = "joint property sets";
+
 pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
-    let len = reader.count("YDPJ/NPJSET", "YDPJ/MPJSET", "joint property sets", 0);
+    let len = reader.count("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT, 0);
     let real = |name| reader.reals(name, 0.0);
     let (ft, fs, gf) = (real("YDPJ/D1PJFT"), real("YDPJ/D1PJFS"), real("YDPJ/D1PJGF"));
     let (co, fr, pe) = (real("YDPJ/D1PJCO"), real("YDPJ/D1PJFR"), real("YDPJ/D1PJPE"));
@@ -36,6 +42,18 @@ fn used_sets(scene: &Scene) -> Vec<usize> {
 
 /// Checks of the joint sets that are used.
 pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    if let Some(insertion) = scene.insertion.as_ref().filter(|i| i.inserts_joints())
+        && let Some(row) = insertion.pairs.iter().position(|pair| pair.joint_set < 0)
+    {
+        let set = insertion.pairs[row].joint_set;
+        reader.report(
+            Diagnostic::error("scene::joint-set", format!("there is no joint set {set}"))
+                .at(reader.entry_at("YDPM/I2PMIJ", [2, row, 0]))
+                .expected(format!("a joint set: {}", numbers_of(scene.cohesive_laws.len())))
+                .help("to have no joints between two materials, leave their row out"),
+        );
+        return;
+    }
     let sets = used_sets(scene);
     if let Some(&set) = sets.iter().find(|&&s| s >= scene.cohesive_laws.len()) {
         let pairs = scene.insertion.iter().flat_map(|i| &i.pairs);
@@ -51,15 +69,32 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
             .expected(if count == 0 {
                 "joint property sets (/YD/YDPJ/NPJSET and their arrays)".to_owned()
             } else {
-                format!("a joint set from 0 to {}", count - 1)
+                format!("a joint set: {}", numbers_of(count))
             })
             .help("correct the row of I2PMIJ, or raise NPJSET and give the properties of that set"),
         );
         return;
     }
+    if sets.is_empty() || !check_given(reader, scene) {
+        return;
+    }
     for set in sets {
         check_law(reader, set, &scene.cohesive_laws[set]);
     }
+}
+
+/// Whether the deck gives all arrays that the cohesive law reads.
+fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
+    let laws = &scene.cohesive_laws;
+    let mut given = reader.required_integers("YDPJ/I1PTYP", WHAT, laws.len()).is_some();
+    let mut arrays = vec!["YDPJ/D1PJFT", "YDPJ/D1PJGF", "YDPJ/D1PJPE"];
+    if laws.iter().any(|law| law.cohesion <= 0.0) {
+        arrays.push("YDPJ/D1PJFS");
+    }
+    for name in arrays.into_iter().filter(|_| laws.iter().any(|law| law.is_cohesive)) {
+        given &= reader.required_reals(name, WHAT, laws.len()).is_some();
+    }
+    given
 }
 
 fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {

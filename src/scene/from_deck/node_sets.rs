@@ -1,4 +1,7 @@
-use super::{Profile, Reader, reader::Offenders};
+use super::{
+    Profile, Reader,
+    reader::{Offenders, numbers_of},
+};
 use crate::{
     TOLERANCE,
     scene::{Condition, LoadHistory, NodeSet, Scene},
@@ -60,8 +63,10 @@ fn check_axes(
             )
             .at(place(reader))
             .label(format!("x ({}, {}), y ({}, {})", axes[0].x, axes[0].y, axes[1].x, axes[1].y))
-            .expected("two perpendicular unit vectors"),
+            .expected("two perpendicular unit vectors")
+            .help("give the x axis with D1PNXX and D1PNXY, the y axis with D1PNYX and D1PNYY; without them they are those of the scene"),
         );
+        return Matrix2::identity();
     }
     let skew =
         axes.iter().any(|a| (a.norm() - 1.0).abs() > 1e-6) || axes[0].dot(&axes[1]).abs() > 1e-6;
@@ -208,8 +213,9 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
             .expected(if sets == 0 {
                 "node sets: /YD/YDPN/MPNSET, NPNSET and their arrays".to_owned()
             } else {
-                format!("a node set from 0 to {}", sets - 1)
-            }),
+                format!("a node set: {}", numbers_of(scene.node_sets.len()))
+            })
+            .help("node sets are numbered from 0; correct I1NOPR, or raise NPNSET"),
         );
     }
     check_coverage(reader, scene);

@@ -12,6 +12,24 @@ pub(super) struct Reader<'a> {
     findings: Vec<Diagnostic>,
 }
 
+/// `1 entry`, `4 entries`.
+fn entries(count: usize) -> String {
+    if count == 1 { "1 entry".to_owned() } else { format!("{count} entries") }
+}
+
+fn one_entry_each(count: usize, what: &str) -> String {
+    format!("{}, one for each of the {what}", entries(count))
+}
+
+/// The numbers of `count` things: `0 to 3`, or `0` where there is only one.
+pub(super) fn numbers_of(count: usize) -> String {
+    match count {
+        0 => "none, there are none".to_owned(),
+        1 => "0".to_owned(),
+        _ => format!("0 to {}", count - 1),
+    }
+}
+
 /// The first entry that is wrong, and how many are.
 pub(super) struct Offenders {
     pub first: usize,
@@ -134,10 +152,14 @@ impl<'a> Reader<'a> {
         needed: usize,
         given: Option<(usize, Option<usize>)>,
     ) -> bool {
+        // their count is wrong, which has been reported
+        if needed == 0 {
+            return false;
+        }
         let Some((given, Some(item))) = given else {
             self.report(
                 Diagnostic::error("scene::missing-array", format!("{name} is missing"))
-                    .expected(format!("/YD/{name} with one entry for each of the {needed} {what}"))
+                    .expected(format!("/YD/{name} with {}", one_entry_each(needed, what)))
                     .help(format!("add /YD/{name} before $YDOIT")),
             );
             return false;
@@ -148,11 +170,11 @@ impl<'a> Reader<'a> {
             self.report(
                 Diagnostic::error(
                     "scene::short-array",
-                    format!("{name} gives {given} entries for {needed} {what}"),
+                    format!("{name} has too few entries for the {what}"),
                 )
                 .at(place)
-                .label(format!("{given} entries"))
-                .expected(format!("{needed} entries, one for each of the {what}"))
+                .label(entries(given))
+                .expected(one_entry_each(needed, what))
                 .help("give the missing entries, or correct the count"),
             );
             return false;
