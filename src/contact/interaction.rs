@@ -2,11 +2,10 @@
 //! which order, and what becomes of them.
 
 use super::{
-    clearance::clearance,
     couples::CoupleList,
     detection::{Detector, Participants},
+    evaluation::{Evaluator, Step},
     friction::PairTable,
-    overlap2::{Couple, Proximity, SideForces, overlap},
     placement::Shape,
     visits::Visits,
 };
@@ -14,13 +13,6 @@ use crate::{
     mechanics::Vec2,
     scene::{ContactSettings, ElementKind, Elements, Material, Nodes},
 };
-use multiversion::multiversion;
-
-/// A couple that could not be let rest is asked again after so many evaluations.
-const PATIENCE: u8 = 15;
-
-/// Steps at the present speed that a rest must promise.
-const WORTHWHILE_STEPS: f64 = 4.0;
 
 /// How much contact work was done since the start.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -43,6 +35,7 @@ pub struct Contact {
     detector: Detector,
     pairs: PairTable,
     visits: Visits,
+    evaluator: Evaluator,
     /// Travel accumulated since the last detection, m.
     travel: f64,
     /// Path of the fastest node since the start: no node has moved further, m.
@@ -73,6 +66,7 @@ impl Contact {
             detector: Detector::default(),
             pairs: PairTable::default(),
             visits: Visits::default(),
+            evaluator: Evaluator::default(),
             moving_nodes: Vec::new(),
             work: CoupleWork::default(),
         }
@@ -117,6 +111,7 @@ impl Contact {
         self.moving_nodes.sort_unstable();
         self.moving_nodes.dedup();
         self.couples.resize(elements.len());
+        self.visits.store(&mut self.couples);
         self.couples.wake_all();
         // a rigid triangle's nodes may move further than their velocities tell
         self.rests &= materials.iter().all(|m| m.kind != ElementKind::RigidTriangle);
@@ -153,6 +148,7 @@ impl Contact {
             buffer: self.settings.buffer,
             all_elements: self.settings.all_elements,
         };
+        self.visits.store(&mut self.couples);
         self.detector.update(&scene, elements, &mut self.couples);
         self.work.most_couples = self.work.most_couples.max(self.couples.len());
         self.visits.sort(&self.couples, &self.pairs, elements);
@@ -160,69 +156,32 @@ impl Contact {
 
     /// Adds the contact forces of all couples and drops those that came apart.
     pub fn interact(&mut self, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) {
-        let dropped = interact_all(self, nodes, dt, forces);
-        if dropped {
-            self.visits.forget_dropped();
+        let Visits { list, corners, shapes, .. } = &mut self.visits;
+        update_shapes(corners, &nodes.current, shapes);
+        let step = Step {
+            velocity: &nodes.velocity,
+            shapes,
+            corners,
+            pairs: &self.pairs,
+            dt,
+            buffer: self.settings.buffer,
+            path: self.path,
+            advance: self.advance,
+            rests: self.rests,
+        };
+        let done = self.evaluator.evaluate(&step, list, forces);
+        self.work.evaluated += done.evaluated;
+        self.work.rested += list.len() as u64 - done.evaluated;
+        if done.dropped {
+            self.visits.remove_dropped(&mut self.couples);
         }
     }
 }
 
-/// Evaluates the couples that do not rest; tells whether one was dropped.
-///
-/// Compiled for several instruction sets and chosen at run time; all give the
-/// same bits, because nothing is fused or reassociated.
-#[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt", "x86_64+avx"))]
-fn interact_all(contact: &mut Contact, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) -> bool {
-    let Visits { list, corners, shapes, .. } = &mut contact.visits;
-    for (shape, ids) in shapes.iter_mut().zip(corners.iter()) {
-        let [p, q, r] = *ids;
-        let at = |node: u32| nodes.current[node as usize];
+/// Present shapes of the elements that take part in couples.
+fn update_shapes(corners: &[[u32; 3]], current: &[Vec2], shapes: &mut [Shape]) {
+    let at = |node: u32| current[node as usize];
+    for (shape, &[p, q, r]) in shapes.iter_mut().zip(corners) {
         *shape = Shape::new([at(p), at(q), at(r)]);
     }
-    let buffer = contact.settings.buffer;
-    let mut sides = [SideForces::default(); 2];
-    let (mut dropped, mut evaluated) = (false, 0);
-    for visit in list.iter_mut() {
-        if contact.path < visit.rest {
-            continue;
-        }
-        evaluated += 1;
-        let [target, contactor] = [visit.participants[0] as usize, visit.participants[1] as usize];
-        let ids = [&corners[target], &corners[contactor]];
-        let couple = Couple {
-            shapes: [&shapes[target], &shapes[contactor]],
-            pair: contact.pairs.properties(visit.rank),
-            dt,
-            drop_distance_squared: 4.0 * buffer * buffer,
-        };
-        let velocity = |t: usize, i: usize| nodes.velocity[ids[t][i] as usize];
-        let sliding = contact.couples.sliding_mut(visit.slot);
-        match overlap(&couple, velocity, sliding, &mut sides) {
-            Proximity::Near => {
-                sides[0].scatter(ids[0], ids[1], forces);
-                sides[1].scatter(ids[1], ids[0], forces);
-            }
-            Proximity::Beyond => {
-                contact.couples.remove(visit.contactor, visit.slot);
-                visit.drop_couple();
-                dropped = true;
-            }
-            Proximity::Clear if !contact.rests => {}
-            Proximity::Clear if visit.patience > 0 => visit.patience -= 1,
-            Proximity::Clear => {
-                let positions = [couple.shapes[0].corners(), couple.shapes[1].corners()];
-                let free = clearance([ids[0], ids[1]], &positions, buffer);
-                // worth it for some steps, and resolved by the sum of the path
-                if free > WORTHWHILE_STEPS * contact.advance && free > 1e-9 * contact.path {
-                    visit.rest = contact.path + free;
-                    contact.couples.set_rest(visit.slot, visit.rest);
-                } else {
-                    visit.patience = PATIENCE;
-                }
-            }
-        }
-    }
-    contact.work.evaluated += evaluated;
-    contact.work.rested += list.len() as u64 - evaluated;
-    dropped
 }

@@ -4,6 +4,7 @@
 mod clearance;
 mod couples;
 mod detection;
+mod evaluation;
 mod friction;
 mod interaction;
 mod overlap2;

@@ -4,8 +4,6 @@
 use super::{couples::CoupleList, friction::PairTable, placement::Shape};
 use crate::scene::Elements;
 
-/// Slot of a visit whose couple has been removed since the last sorting.
-const REMOVED: u32 = u32::MAX;
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
 
@@ -14,24 +12,21 @@ const NOWHERE: u32 = u32::MAX;
 pub(super) struct Visit {
     /// Path length up to which the couple rests, m.
     pub rest: f64,
+    /// Sliding accumulated on the edges of target and contactor, m²: lent by
+    /// the couple's slot until the list is made anew or the couple is dropped.
+    pub sliding: [f64; 6],
     /// Rank of the pair of materials.
     pub rank: u32,
-    /// Slot of the couple; `REMOVED` once it is dropped.
-    pub slot: u32,
-    pub contactor: u32,
-    /// Order of listing: by contactor, then newest first.
-    listed: u32,
     /// Places of target and contactor among the participants.
     pub participants: [u32; 2],
     /// Evaluations to go before it is asked again whether the couple may rest.
     pub patience: u8,
-}
-
-impl Visit {
-    /// Marks the couple as dropped.
-    pub fn drop_couple(&mut self) {
-        self.slot = REMOVED;
-    }
+    /// Whether the couple came apart in this step.
+    pub is_dropped: bool,
+    contactor: u32,
+    slot: u32,
+    /// Order of listing: by contactor, then newest first.
+    listed: u32,
 }
 
 /// All couples, and the elements that take part in one.
@@ -47,7 +42,16 @@ pub(super) struct Visits {
 }
 
 impl Visits {
-    /// Orders the couples: by material pair, then contactor, then newest first.
+    /// Gives sliding and rest of all couples back to their slots.
+    pub fn store(&self, couples: &mut CoupleList) {
+        for visit in &self.list {
+            *couples.sliding_mut(visit.slot) = visit.sliding;
+            couples.set_rest(visit.slot, visit.rest);
+        }
+    }
+
+    /// Lists the couples anew: by material pair, then contactor, then newest
+    /// first. What the old list holds must have been stored.
     pub fn sort(&mut self, couples: &CoupleList, pairs: &PairTable, elements: &Elements) {
         self.list.clear();
         self.corners.clear();
@@ -57,21 +61,21 @@ impl Visits {
             for slot in couples.of(contactor) {
                 let target = couples.target(slot);
                 let property = |e: u32| elements.property[e as usize];
-                if let Some(rank) = pairs.rank(property(contactor), property(target)) {
-                    let participants =
-                        [target, contactor].map(|element| self.place_of(element, elements));
-                    let rest = couples.rest(slot);
-                    let listed = self.list.len() as u32;
-                    self.list.push(Visit {
-                        rest,
-                        rank,
-                        slot,
-                        contactor,
-                        listed,
-                        participants,
-                        patience: 0,
-                    });
-                }
+                let Some(rank) = pairs.rank(property(contactor), property(target)) else {
+                    continue;
+                };
+                let visit = Visit {
+                    rest: couples.rest(slot),
+                    sliding: *couples.sliding(slot),
+                    rank,
+                    participants: [target, contactor].map(|e| self.place_of(e, elements)),
+                    patience: 0,
+                    is_dropped: false,
+                    contactor,
+                    slot,
+                    listed: self.list.len() as u32,
+                };
+                self.list.push(visit);
             }
         }
         // the order of listing as second key makes the sort stable, without the
@@ -89,8 +93,13 @@ impl Visits {
         *place
     }
 
-    /// Takes out the couples that were dropped.
-    pub fn forget_dropped(&mut self) {
-        self.list.retain(|visit| visit.slot != REMOVED);
+    /// Removes the couples that came apart, in the order of evaluation: the
+    /// slot freed last is the first to be used again.
+    pub fn remove_dropped(&mut self, couples: &mut CoupleList) {
+        for visit in self.list.iter().filter(|visit| visit.is_dropped) {
+            *couples.sliding_mut(visit.slot) = visit.sliding;
+            couples.remove(visit.contactor, visit.slot);
+        }
+        self.list.retain(|visit| !visit.is_dropped);
     }
 }

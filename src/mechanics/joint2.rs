@@ -8,7 +8,7 @@ use super::{Vec2, softening::remaining_strength};
 use crate::{TOLERANCE, scene::CohesiveLaw};
 
 /// Result of one evaluation of a joint.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub struct JointResponse {
     /// Force carried across the joint at its start, middle and end, N. Node a
     /// loses points 0 and 1 in turn and d gains them; b loses points 1 and 2
@@ -116,7 +116,7 @@ pub fn evaluate(law: &CohesiveLaw, corners: &[Vec2; 4], shear_strength: &mut f64
     let e = geometry.tangent;
     let mut point_forces = [Vec2::zeros(); 3];
     let mut failed_points = 0;
-    for point in 0..3 {
+    for (point, point_force) in point_forces.iter_mut().enumerate() {
         let (opening, sliding) = (geometry.opening[point], geometry.sliding[point]);
         let slip = sliding.abs();
         let mut damage = limits.damage(opening, slip);
@@ -146,7 +146,7 @@ pub fn evaluate(law: &CohesiveLaw, corners: &[Vec2; 4], shear_strength: &mut f64
         let shear = if sliding < 0.0 { -shear_size } else { shear_size };
         let traction = Vec2::new(shear * e.x - normal * e.y, shear * e.y + normal * e.x);
         let weight = if point == 1 { geometry.length / 3.0 } else { geometry.length / 6.0 };
-        point_forces[point] = weight * traction;
+        *point_force = weight * traction;
     }
     JointResponse { point_forces, fails: failed_points > 1 }
 }

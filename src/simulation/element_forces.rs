@@ -1,17 +1,55 @@
-use super::{Simulation, edge_loads::EdgeLoads, plan::Batch};
+use super::{
+    Simulation,
+    edge_loads::EdgeLoads,
+    plan::{Batch, PlannedTriangle},
+};
 use crate::{
     mechanics::{
         Vec2,
         softening_triangle::{self, largest_stretch, soften},
         triangle::{self, Kinematics},
     },
-    scene::ElementKind,
+    scene::{ElementKind, Nodes},
 };
+use nalgebra::Matrix2;
+use rayon::prelude::*;
+
+/// From so many triangles of a material on, threads pay (measured,
+/// `docs/src/performance.md`).
+const PARALLEL_FROM: usize = 2048;
+/// Least number of triangles that a thread takes at a time.
+const GRAIN: usize = 512;
+
+/// Stress and internal nodal forces of a triangle.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct TriangleResponse {
+    stress: Matrix2<f64>,
+    forces: [Vec2; 3],
+}
+
+impl TriangleResponse {
+    #[inline]
+    fn of_elastic(batch: &Batch, planned: &PlannedTriangle, nodes: &Nodes<2>) -> Self {
+        let [a, b, c] = planned.corners;
+        let at = |values: &[Vec2]| [values[a as usize], values[b as usize], values[c as usize]];
+        let corners = at(&nodes.current);
+        let stress = triangle::cauchy_stress(
+            &batch.elasticity,
+            &planned.reference,
+            &corners,
+            &at(&nodes.velocity),
+        );
+        Self { stress, forces: triangle::nodal_forces(&stress, &corners) }
+    }
+}
 
 impl Simulation {
     /// Stresses and internal forces of all triangles, materials ascending,
     /// elements ascending, nodes of an element in turn, the load of the
     /// opposite edge right after each node.
+    ///
+    /// Responses may come from any thread; they are added in this order, so
+    /// that sums round the same on any number of threads.
     pub(super) fn add_element_forces(&mut self) {
         let batches = std::mem::take(&mut self.plan.batches);
         let mut force = std::mem::take(&mut self.force);
@@ -28,28 +66,44 @@ impl Simulation {
     }
 
     fn add_elastic(&mut self, batch: &Batch, force: &mut [Vec2]) {
-        let nodes = &self.scene.nodes;
-        for planned in &batch.triangles {
-            let corners = planned.corners.map(|n| nodes.current[n as usize]);
-            let velocities = planned.corners.map(|n| nodes.velocity[n as usize]);
-            let stress = triangle::cauchy_stress(
-                &batch.elasticity,
-                &planned.reference,
-                &corners,
-                &velocities,
-            );
-            self.stress[planned.element as usize] = stress;
-            let internal = triangle::nodal_forces(&stress, &corners);
-            if planned.has_loaded_edge {
-                let loads = EdgeLoads::new(&self.scene, self.time);
-                for i in 0..3 {
-                    force[planned.corners[i] as usize] += internal[i];
-                    loads.apply(i, &planned.corners, &corners, force);
-                }
-            } else {
-                for (&node, internal) in planned.corners.iter().zip(&internal) {
-                    force[node as usize] += internal;
-                }
+        if batch.triangles.len() >= PARALLEL_FROM && rayon::current_num_threads() > 1 {
+            let mut responses = std::mem::take(&mut self.responses);
+            responses.resize(batch.triangles.len(), TriangleResponse::default());
+            let nodes = &self.scene.nodes;
+            let (planned, out) = (&batch.triangles, &mut responses);
+            planned.par_iter().zip(out).with_min_len(GRAIN).for_each(|(planned, out)| {
+                *out = TriangleResponse::of_elastic(batch, planned, nodes);
+            });
+            for (planned, response) in batch.triangles.iter().zip(&responses) {
+                self.add_response(planned, response, force);
+            }
+            self.responses = responses;
+        } else {
+            for planned in &batch.triangles {
+                let response = TriangleResponse::of_elastic(batch, planned, &self.scene.nodes);
+                self.add_response(planned, &response, force);
+            }
+        }
+    }
+
+    #[inline]
+    fn add_response(
+        &mut self,
+        planned: &PlannedTriangle,
+        response: &TriangleResponse,
+        force: &mut [Vec2],
+    ) {
+        self.stress[planned.element as usize] = response.stress;
+        if planned.has_loaded_edge {
+            let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
+            let loads = EdgeLoads::new(&self.scene, self.time);
+            for i in 0..3 {
+                force[planned.corners[i] as usize] += response.forces[i];
+                loads.apply(i, &planned.corners, &corners, force);
+            }
+        } else {
+            for (&node, internal) in planned.corners.iter().zip(&response.forces) {
+                force[node as usize] += internal;
             }
         }
     }

@@ -19,6 +19,8 @@ use crate::{
     mechanics::Vec2,
     scene::Scene,
 };
+use element_forces::TriangleResponse;
+use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
 use plan::Plan;
 
@@ -56,6 +58,9 @@ pub struct Simulation {
     probe_values: Vec<f64>,
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
+    /// Buffers of the threads' responses, reused from step to step.
+    responses: Vec<TriangleResponse>,
+    evaluated_joints: Vec<EvaluatedJoint>,
     insertion_report: Option<InsertionReport>,
     failures: Vec<JointFailure>,
 }
@@ -83,6 +88,8 @@ impl Simulation {
             stress: Vec::new(),
             strength: Vec::new(),
             kinetic_energy: 0.0,
+            responses: Vec::new(),
+            evaluated_joints: Vec::new(),
             insertion_report: None,
             failures: Vec::new(),
         }
@@ -171,6 +178,8 @@ impl Simulation {
         self.stress.resize(self.scene.elements.len(), Matrix2::zeros());
         self.strength.resize(self.scene.elements.len(), 0.0);
         self.mass.copy_from_slice(&self.plan.nodal_mass);
+        // room for every joint's failure: the step loop allocates nothing
+        self.failures.reserve(self.plan.joints.len());
         if let Some(contact) = &mut self.contact {
             contact.rebuild(&self.scene.elements, &self.scene.materials);
         }

@@ -1,0 +1,61 @@
+//! The step loop allocates nothing once it is warm.
+
+mod support;
+
+use std::{
+    alloc::{GlobalAlloc, Layout, System},
+    sync::atomic::{AtomicU64, Ordering},
+};
+use support::scenes::{reference_scene, step};
+use ypsilon::simulation::Simulation;
+
+/// Counts what it passes on to the system.
+struct Counting;
+
+static ALLOCATIONS: AtomicU64 = AtomicU64::new(0);
+
+// SAFETY: every call is passed on unchanged to the system's allocator.
+unsafe impl GlobalAlloc for Counting {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: the caller's promises are the system's demands.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: as above.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+
+    unsafe fn realloc(&self, pointer: *mut u8, layout: Layout, size: usize) -> *mut u8 {
+        ALLOCATIONS.fetch_add(1, Ordering::Relaxed);
+        // SAFETY: as above.
+        unsafe { System.realloc(pointer, layout, size) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Counting = Counting;
+
+fn allocations_between(case: &str, warm: u64, end: u64) -> u64 {
+    let mut simulation = Simulation::new(reference_scene(case));
+    simulation.prepare().expect("the deck leaves room for its joints");
+    (0..warm).for_each(|_| step(&mut simulation));
+    let before = ALLOCATIONS.load(Ordering::Relaxed);
+    (warm..end).for_each(|_| step(&mut simulation));
+    ALLOCATIONS.load(Ordering::Relaxed) - before
+}
+
+/// One test, because allocations of all threads count.
+#[test]
+fn warm_steps_allocate_nothing() {
+    // friction, contact detected anew 100 times, couples added and dropped; the
+    // list has seen its largest number of couples after 4000 steps
+    assert_eq!(allocations_between("d_slide_fr0.3", 4000, 20_000), 0);
+    // contact between blocks at rest
+    assert_eq!(allocations_between("k_arch_fr0.7", 10, 4000), 0);
+    // joints that soften and break
+    assert_eq!(allocations_between("n_wall_tension", 10, 4000), 0);
+    // pressure on edges with a load-time history
+    assert_eq!(allocations_between("i_pres_fac", 2, 30), 0);
+}

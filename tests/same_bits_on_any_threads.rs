@@ -1,0 +1,33 @@
+//! Results do not depend on the number of threads.
+
+mod support;
+
+use rayon::ThreadPoolBuilder;
+use support::{
+    grid_deck::jointed_wall,
+    scenes::{bits, scene, step},
+};
+use ypsilon::simulation::Simulation;
+
+/// The wall is above every threshold from which threads are used.
+#[test]
+fn a_jointed_wall_moves_alike_on_1_2_3_and_8_threads() {
+    let scene = scene(&jointed_wall(96, 96, 1000));
+    let run = |threads| {
+        let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
+        pool.install(|| {
+            let mut simulation = Simulation::new(scene.clone());
+            simulation.prepare().expect("the deck leaves room for its joints");
+            (0..25).for_each(|_| step(&mut simulation));
+            let work = simulation.couple_work().expect("the scene has contact");
+            assert!(work.most_couples > 20_000, "{work:?}");
+            assert!(simulation.triangles().count() > 16_384);
+            bits(&simulation)
+        })
+    };
+    let alone = run(1);
+    for threads in [2, 3, 8] {
+        assert!(run(threads) == alone, "{threads} threads give other bits");
+    }
+    assert!(run(8) == alone, "a second run gives other bits");
+}
