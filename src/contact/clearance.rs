@@ -157,6 +157,8 @@ impl<'a> Couple<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::contact::{Couple, PairProperties, Proximity, Shape, SideForces, overlap};
+    use proptest::prelude::*;
 
     fn unit(at: Vec2) -> [Vec2; 3] {
         [at, at + Vec2::new(1.0, 0.0), at + Vec2::new(0.0, 1.0)]
@@ -187,5 +189,69 @@ mod tests {
         let d = Vec2::new(1.0, 1.0);
         let b_rest = clearance([&[0, 1, 2], &[2, 1, 3]], &[[a, b, c], [c, b, d]], 0.0);
         assert!(b_rest > 0.1, "{b_rest}");
+    }
+
+    /// A number in [-1, 1] from a small integer, so that cases shrink well.
+    fn unit_number() -> impl Strategy<Value = f64> {
+        (-1000i32..=1000).prop_map(|n| f64::from(n) / 1000.0)
+    }
+
+    fn vector() -> impl Strategy<Value = Vec2> {
+        (unit_number(), unit_number()).prop_map(|(x, y)| Vec2::new(x, y))
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(20_000))]
+
+        /// Whatever the nodes do within the clearance: no force, no sliding, and
+        /// the couple keeps its place in the list.
+        #[test]
+        fn nothing_happens_within_the_clearance(
+            corners in [vector(), vector(), vector(), vector(), vector(), vector()],
+            moves in [vector(), vector(), vector(), vector(), vector(), vector()],
+            apart in vector(),
+            shared in 0usize..3,
+            buffer in 0.0f64..1.0,
+        ) {
+            // up to two nodes of the contactor are nodes of the target
+            let mut ids = [0u32, 1, 2, 3, 4, 5];
+            for k in 0..shared {
+                ids[5 - k] = k as u32;
+            }
+            let area = |c: &[Vec2; 3]| (c[1] - c[0]).perp(&(c[2] - c[0]));
+            let mut nodes = [[ids[0], ids[1], ids[2]], [ids[3], ids[4], ids[5]]];
+            let at = |nodes: &[[u32; 3]; 2], displacement: f64| -> [[Vec2; 3]; 2] {
+                let node = |n: u32| {
+                    let n = n as usize;
+                    let base = if n > 2 { corners[n] + 1.5 * apart } else { corners[n] };
+                    // a unit move is at most √2 long
+                    base + moves[n] * (displacement / std::f64::consts::SQRT_2)
+                };
+                nodes.map(|corners| corners.map(node))
+            };
+            for t in 0..2 {
+                if area(&at(&nodes, 0.0)[t]) < 0.0 {
+                    nodes[t].swap(1, 2);
+                }
+            }
+            let still = at(&nodes, 0.0);
+            prop_assume!(area(&still[0]) > 1e-3 && area(&still[1]) > 1e-3);
+            let free = clearance([&nodes[0], &nodes[1]], &still, buffer);
+            let shapes = at(&nodes, free).map(Shape::new);
+            let couple = Couple {
+                shapes: [&shapes[0], &shapes[1]],
+                pair: &PairProperties { penalty: 1e9, tangential_penalty: 1e8, friction: 0.5 },
+                dt: 1e-3,
+                drop_distance_squared: 4.0 * buffer * buffer,
+            };
+            let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
+            let proximity =
+                overlap(&couple, |_, _| Vec2::new(1.0, 2.0), &mut sliding, &mut sides);
+            if free > 0.0 {
+                prop_assert_eq!(proximity, Proximity::Clear);
+                prop_assert_eq!(sliding, [0.0; 6]);
+                prop_assert!(!sides[0].acts && !sides[1].acts);
+            }
+        }
     }
 }
