@@ -13,13 +13,30 @@ const C: f64 = 6.0;
 #[inline]
 #[must_use]
 pub fn remaining_strength(damage: f64) -> f64 {
+    if damage == 0.0 {
+        return INTACT;
+    }
+    soften(damage)
+}
+
+/// The curve at zero damage: `exp(0)` and `1⁶` are exactly 1, so that intact
+/// joints need neither exponential nor power and keep their bits.
+const INTACT: f64 = (1.0 - (A + B - 1.0) / (A + B)) * (A + B);
+
+#[inline]
+fn soften(damage: f64) -> f64 {
     (1.0 - ((A + B - 1.0) / (A + B)) * (damage * (A + C * B) / ((A + B) * (1.0 - A - B))).exp())
         * (A * (1.0 - damage) + B * (1.0 - damage).powf(C))
 }
 
 #[cfg(test)]
 mod tests {
-    use super::remaining_strength;
+    use super::{INTACT, remaining_strength, soften};
+
+    #[test]
+    fn intact_joints_have_the_bits_of_the_curve() {
+        assert_eq!(soften(0.0).to_bits(), INTACT.to_bits());
+    }
 
     #[test]
     fn curve_passes_through_the_worked_numbers() {
