@@ -12,7 +12,7 @@ use support::{
     scenes::{reference_scene, scene, step},
 };
 use ypsilon::{
-    contact::{Couple, PairProperties, Shape, SideForces, overlap},
+    contact::{Couple, Motion, PairProperties, Shape, SideForces, overlap},
     mechanics::{
         Vec2, joint2,
         triangle::{Elasticity, ReferenceShape, cauchy_stress, nodal_forces},
@@ -94,12 +94,13 @@ fn couple_kernel(bencher: Bencher<'_, '_>, depth: f64) {
     let pair = PairProperties { penalty: 1e6, tangential_penalty: 1e9, friction: 0.3 };
     let couple = Couple {
         shapes: [&shapes[0], &shapes[1]],
+        motions: [&Motion::new([Vec2::zeros(); 3]), &Motion::new([Vec2::new(5.0, 1.0); 3])],
         pair: &pair,
         dt: 1e-4,
         drop_distance_squared: 1.0,
     };
     let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
-    bencher.counter(ItemsCount::new(1usize)).bench_local(|| {
-        overlap(black_box(&couple), |_, _| Vec2::new(5.0, 1.0), &mut sliding, &mut sides)
-    });
+    bencher
+        .counter(ItemsCount::new(1usize))
+        .bench_local(|| overlap(black_box(&couple), &mut sliding, &mut sides));
 }

@@ -157,7 +157,7 @@ impl<'a> Couple<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Couple, PairProperties, Proximity, Shape, SideForces, overlap};
+    use crate::contact::{Couple, Motion, PairProperties, Proximity, Shape, SideForces, overlap};
     use proptest::prelude::*;
 
     fn unit(at: Vec2) -> [Vec2; 3] {
@@ -240,13 +240,13 @@ mod tests {
             let shapes = at(&nodes, free).map(Shape::new);
             let couple = Couple {
                 shapes: [&shapes[0], &shapes[1]],
+                motions: [&Motion::new([Vec2::new(1.0, 2.0); 3]); 2],
                 pair: &PairProperties { penalty: 1e9, tangential_penalty: 1e8, friction: 0.5 },
                 dt: 1e-3,
                 drop_distance_squared: 4.0 * buffer * buffer,
             };
             let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
-            let proximity =
-                overlap(&couple, |_, _| Vec2::new(1.0, 2.0), &mut sliding, &mut sides);
+            let proximity = overlap(&couple, &mut sliding, &mut sides);
             if free > 0.0 {
                 prop_assert_eq!(proximity, Proximity::Clear);
                 prop_assert_eq!(sliding, [0.0; 6]);

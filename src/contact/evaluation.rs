@@ -9,7 +9,7 @@ use super::{
     clearance::clearance,
     friction::PairTable,
     overlap2::{Couple, Proximity, SideForces, overlap},
-    placement::Shape,
+    placement::{Motion, Shape},
     visits::Visit,
 };
 use crate::mechanics::Vec2;
@@ -32,9 +32,9 @@ const CHUNKS_PER_THREAD: usize = 4;
 /// What the couples of a step see.
 #[derive(Clone, Copy)]
 pub(super) struct Step<'a> {
-    pub velocity: &'a [Vec2],
-    /// Shapes and corner nodes of the participants.
+    /// Shapes, velocities and corner nodes of the participants.
     pub shapes: &'a [Shape],
+    pub motions: &'a [Motion],
     pub corners: &'a [[u32; 3]],
     pub pairs: &'a PairTable,
     pub dt: f64,
@@ -137,19 +137,18 @@ fn evaluate_chunk(step: &Step<'_>, visits: &mut [Visit], chunk: &mut Chunk) {
         }
         chunk.done.evaluated += 1;
         let [target, contactor] = [visit.participants[0] as usize, visit.participants[1] as usize];
-        let ids = [&step.corners[target], &step.corners[contactor]];
         let couple = Couple {
             shapes: [&step.shapes[target], &step.shapes[contactor]],
+            motions: [&step.motions[target], &step.motions[contactor]],
             pair: step.pairs.properties(visit.rank),
             dt: step.dt,
             drop_distance_squared: 4.0 * step.buffer * step.buffer,
         };
-        let velocity = |t: usize, i: usize| step.velocity[ids[t][i] as usize];
         if chunk.touches.len() == chunk.count {
             chunk.touches.push(Touch::default());
         }
         let touch = &mut chunk.touches[chunk.count];
-        match overlap(&couple, velocity, &mut visit.sliding, &mut touch.sides) {
+        match overlap(&couple, &mut visit.sliding, &mut touch.sides) {
             Proximity::Near => {
                 touch.participants = visit.participants;
                 chunk.count += 1;
@@ -161,6 +160,7 @@ fn evaluate_chunk(step: &Step<'_>, visits: &mut [Visit], chunk: &mut Chunk) {
             Proximity::Clear if !step.rests => {}
             Proximity::Clear if visit.patience > 0 => visit.patience -= 1,
             Proximity::Clear => {
+                let ids = [&step.corners[target], &step.corners[contactor]];
                 let corners = [couple.shapes[0].corners(), couple.shapes[1].corners()];
                 let free = clearance(ids, &corners, step.buffer);
                 // worth it for some steps, and resolved by the sum of the path

@@ -6,7 +6,7 @@ use super::{
     detection::{Detector, Participants},
     evaluation::{Evaluator, Step},
     friction::PairTable,
-    placement::Shape,
+    placement::{Motion, Shape},
     visits::Visits,
 };
 use crate::{
@@ -156,11 +156,11 @@ impl Contact {
 
     /// Adds the contact forces of all couples and drops those that came apart.
     pub fn interact(&mut self, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) {
-        let Visits { list, corners, shapes, .. } = &mut self.visits;
-        update_shapes(corners, &nodes.current, shapes);
+        let Visits { list, corners, shapes, motions, .. } = &mut self.visits;
+        update_participants(corners, nodes, shapes, motions);
         let step = Step {
-            velocity: &nodes.velocity,
             shapes,
+            motions,
             corners,
             pairs: &self.pairs,
             dt,
@@ -178,10 +178,16 @@ impl Contact {
     }
 }
 
-/// Present shapes of the elements that take part in couples.
-fn update_shapes(corners: &[[u32; 3]], current: &[Vec2], shapes: &mut [Shape]) {
-    let at = |node: u32| current[node as usize];
-    for (shape, &[p, q, r]) in shapes.iter_mut().zip(corners) {
-        *shape = Shape::new([at(p), at(q), at(r)]);
+/// Present shapes and velocities of the elements that take part in couples.
+fn update_participants(
+    corners: &[[u32; 3]],
+    nodes: &Nodes<2>,
+    shapes: &mut [Shape],
+    motions: &mut [Motion],
+) {
+    for ((shape, motion), &[p, q, r]) in shapes.iter_mut().zip(motions).zip(corners) {
+        let of = |values: &[Vec2]| [values[p as usize], values[q as usize], values[r as usize]];
+        *shape = Shape::new(of(&nodes.current));
+        *motion = Motion::new(of(&nodes.velocity));
     }
 }

@@ -18,4 +18,4 @@ pub use detection::{Detector, Participants};
 pub use friction::{PairProperties, PairTable};
 pub use interaction::{Contact, CoupleWork};
 pub use overlap2::{Couple, Proximity, SideForces, overlap};
-pub use placement::{AreaCoordinates, Shape};
+pub use placement::{AreaCoordinates, Lanes, Motion, Shape};

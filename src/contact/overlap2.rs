@@ -8,8 +8,8 @@
 
 use super::{
     friction::PairProperties,
-    placement::{AreaCoordinates, Placement, Shape},
-    profile::Profile,
+    placement::{AreaCoordinates, Lanes, Motion, Placement, Shape},
+    profile::Integrals,
 };
 use crate::mechanics::Vec2;
 
@@ -64,6 +64,8 @@ pub enum Proximity {
 pub struct Couple<'a> {
     /// Target (lower element number) and contactor.
     pub shapes: [&'a Shape; 2],
+    /// Velocities of their corners.
+    pub motions: [&'a Motion; 2],
     /// Contact properties of the two materials.
     pub pair: &'a PairProperties,
     /// Time step, s.
@@ -72,15 +74,13 @@ pub struct Couple<'a> {
     pub drop_distance_squared: f64,
 }
 
-/// Forces between the two triangles of a couple. `velocity(t, i)` is that of
-/// corner `i` of triangle `t`, asked for only where there is contact. `sliding`
-/// holds the sliding accumulated on the three edges of the target and the three
-/// of the contactor, m². The forces go to `sides`: from the edges of the
-/// target, then from those of the contactor.
+/// Forces between the two triangles of a couple. `sliding` holds the sliding
+/// accumulated on the three edges of the target and the three of the contactor,
+/// m². The forces go to `sides`: from the edges of the target, then from those
+/// of the contactor.
 #[inline(always)]
 pub fn overlap(
     couple: &Couple<'_>,
-    velocity: impl Fn(usize, usize) -> Vec2,
     sliding: &mut [f64; 6],
     sides: &mut [SideForces; 2],
 ) -> Proximity {
@@ -95,8 +95,8 @@ pub fn overlap(
     }
     let (of_target, of_contactor) = sliding.split_at_mut(3);
     let [inside_other, inside_target] = &placement.coordinates;
-    cut_side(couple, 0, cut[0], inside_other, &velocity, of_target, target);
-    cut_side(couple, 1, cut[1], inside_target, &velocity, of_contactor, contactor);
+    cut_side(couple, 0, cut[0], inside_other, of_target, target);
+    cut_side(couple, 1, cut[1], inside_target, of_contactor, contactor);
     Proximity::Near
 }
 
@@ -107,11 +107,9 @@ fn cut_side(
     t: usize,
     cut: u32,
     coordinates: &AreaCoordinates,
-    velocity: &impl Fn(usize, usize) -> Vec2,
     sliding: &mut [f64],
     side: &mut SideForces,
 ) {
-    let u = 1 - t;
     for i in 0..3 {
         if cut >> i & 1 == 0 {
             continue;
@@ -119,19 +117,23 @@ fn cut_side(
         let j = (i + 1) % 3;
         let [c0, c1, c2] = coordinates;
         let (a, b) = ([c0[i], c1[i], c2[i]], [c0[j], c1[j], c2[j]]);
-        let Some(profile) = Profile::new(&a, &b) else { continue };
+        let Some(integrals) = Integrals::along(&a, &b) else { continue };
         if !side.acts {
             *side = SideForces { acts: true, own: [Vec2::zeros(); 3], shares: *coordinates };
         }
         let normal = couple.shapes[t].normal(i);
-        let s = profile.mean_parameter();
+        let s = integrals.mean_parameter;
         let at = |m: usize| a[m] * (1.0 - s) + b[m] * s;
-        let other = velocity(u, 2) * at(0) + velocity(u, 0) * at(1) + velocity(u, 1) * at(2);
-        let own = velocity(t, i) * (1.0 - s) + velocity(t, j) * s;
-        let relative = other - own;
-        let slip_rate = -relative.x * normal.y + relative.y * normal.x;
-        sliding[i] += slip_rate * couple.dt;
-        let (total, at_end) = profile.forces(couple.pair.penalty);
+        let inside = [at(0), at(1), at(2)];
+        let relative = |own: &Lanes, other: &Lanes| {
+            let there = other[2] * inside[0] + other[0] * inside[1] + other[1] * inside[2];
+            there - (own[i] * (1.0 - s) + own[j] * s)
+        };
+        let (own, other) = (couple.motions[t], couple.motions[1 - t]);
+        let (x, y) = (relative(&own.x, &other.x), relative(&own.y, &other.y));
+        sliding[i] += (-x * normal.y + y * normal.x) * couple.dt;
+        let total = integrals.total * couple.pair.penalty * 1.5;
+        let at_end = integrals.moment * couple.pair.penalty * 0.5;
         let at_start = total - at_end;
         let tangential = couple.pair.tangential_force(&mut sliding[i], total);
         let (t_start, t_end) = share(tangential, at_start, at_end, total);
@@ -165,13 +167,13 @@ mod tests {
         PairProperties { penalty: 1e6, tangential_penalty: 1e9, friction: 0.3 };
 
     /// The target rests, the contactor moves.
-    fn velocity(t: usize, _corner: usize) -> Vec2 {
-        if t == 0 { Vec2::zeros() } else { Vec2::new(5.0, 1.0) }
-    }
+    const MOTIONS: [Motion; 2] =
+        [Motion { x: [0.0; 4], y: [0.0; 4] }, Motion { x: [5.0; 4], y: [1.0; 4] }];
 
     fn couple(shapes: &[Shape; 2]) -> Couple<'_> {
         Couple {
             shapes: [&shapes[0], &shapes[1]],
+            motions: [&MOTIONS[0], &MOTIONS[1]],
             pair: &PAIR,
             dt: 1e-4,
             drop_distance_squared: 0.9 * 0.9,
@@ -182,7 +184,7 @@ mod tests {
     #[test]
     fn forces_equal_the_worked_example() {
         let mut sides = [SideForces::default(); 2];
-        let _ = overlap(&couple(&AT.map(Shape::new)), velocity, &mut [0.0; 6], &mut sides);
+        let _ = overlap(&couple(&AT.map(Shape::new)), &mut [0.0; 6], &mut sides);
         let mut forces = [Vec2::zeros(); 6];
         let nodes = [[0, 1, 2], [3, 4, 5]];
         for t in 0..2 {
@@ -210,7 +212,7 @@ mod tests {
             }
             let mut sides = [SideForces::default(); 2];
             let shapes = corners.map(Shape::new);
-            let proximity = overlap(&couple(&shapes), velocity, &mut [0.0; 6], &mut sides);
+            let proximity = overlap(&couple(&shapes), &mut [0.0; 6], &mut sides);
             assert!(!sides[0].acts && !sides[1].acts);
             assert_eq!(proximity, expected);
         }

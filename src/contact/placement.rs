@@ -11,7 +11,7 @@ use wide::{CmpGt, CmpLt, f64x4};
 const FAR: f64 = 1e15;
 
 /// One value per corner or edge of a triangle; the fourth lane repeats the first.
-pub(super) type Lanes = [f64; 4];
+pub type Lanes = [f64; 4];
 
 /// Area coordinates of a triangle's corners in another triangle: `[e][i]` of
 /// corner `i` relative to edge `e` of the other (0 on it, positive inside).
@@ -26,6 +26,22 @@ pub struct Shape {
     normal_x: Lanes,
     normal_y: Lanes,
     double_area: f64,
+}
+
+/// Velocities of a triangle's corners.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Motion {
+    pub(super) x: Lanes,
+    pub(super) y: Lanes,
+}
+
+impl Motion {
+    /// Motion of the triangle whose corners have these velocities, m/s.
+    #[inline(always)]
+    #[must_use]
+    pub fn new([p, q, r]: [Vec2; 3]) -> Self {
+        Self { x: [p.x, q.x, r.x, p.x], y: [p.y, q.y, r.y, p.y] }
+    }
 }
 
 impl Shape {

@@ -1,7 +1,11 @@
 //! The couples in the order of their evaluation, with the shapes of the
 //! elements that they need.
 
-use super::{couples::CoupleList, friction::PairTable, placement::Shape};
+use super::{
+    couples::CoupleList,
+    friction::PairTable,
+    placement::{Motion, Shape},
+};
 use crate::scene::Elements;
 
 /// No place among the participants.
@@ -37,6 +41,8 @@ pub(super) struct Visits {
     pub corners: Vec<[u32; 3]>,
     /// Present shapes of the participants.
     pub shapes: Vec<Shape>,
+    /// Present velocities of the participants' corners.
+    pub motions: Vec<Motion>,
     /// Place of each element among the participants.
     place: Vec<u32>,
 }
@@ -82,6 +88,7 @@ impl Visits {
         // buffer that a stable sort allocates
         self.list.sort_unstable_by_key(|visit| (visit.rank, visit.listed));
         self.shapes.resize(self.corners.len(), Shape::default());
+        self.motions.resize(self.corners.len(), Motion::default());
     }
 
     fn place_of(&mut self, element: u32, elements: &Elements) -> u32 {
