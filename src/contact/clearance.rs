@@ -238,9 +238,10 @@ mod tests {
             prop_assume!(area(&still[0]) > 1e-3 && area(&still[1]) > 1e-3);
             let free = clearance([&nodes[0], &nodes[1]], &still, buffer);
             let shapes = at(&nodes, free).map(Shape::new);
+            let motion = Motion::new([Vec2::new(1.0, 2.0); 3]);
             let couple = Couple {
                 shapes: [&shapes[0], &shapes[1]],
-                motions: [&Motion::new([Vec2::new(1.0, 2.0); 3]); 2],
+                motions: [&motion; 2],
                 pair: &PairProperties { penalty: 1e9, tangential_penalty: 1e8, friction: 0.5 },
                 dt: 1e-3,
                 drop_distance_squared: 4.0 * buffer * buffer,
