@@ -115,14 +115,16 @@ fn larger(a: f64, b: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Along a line from a triangle's corner through its centroid to the middle
-    /// of the opposite edge the potential rises to 1/3 and falls to 0.
+    /// From a triangle's corner to a point of the opposite edge the potential
+    /// rises to 1/5 at s = 4/5 and falls to 0.
     #[test]
-    fn the_potential_has_its_kink_at_the_centroid() {
-        let integrals = Integrals::along(&[1.0, 0.0, 0.0], &[0.0, 0.5, 0.5]).expect("inside");
-        // height 1/3 at s = 2/3
-        assert!((integrals.total - 2.0 * (1.0 / 6.0)).abs() < 1e-15);
-        assert!((integrals.mean_parameter - 5.0 / 9.0).abs() < 1e-15);
+    fn the_potential_is_a_tent_over_the_edge() {
+        let integrals = Integrals::along(&[1.0, 0.0, 0.0], &[0.0, 0.25, 0.75]).expect("inside");
+        assert!((integrals.total - 2.0 * 0.5 * 0.2).abs() < 1e-15);
+        assert!((integrals.mean_parameter - (0.0 + 0.8 + 1.0) / 3.0).abs() < 1e-15);
+        // 6∫P s ds over the two slopes
+        let moment = 6.0 * (0.25 * 0.8f64.powi(3) / 3.0 + (0.5 - 1.0 / 3.0 - 0.32 + 0.512 / 3.0));
+        assert!((integrals.moment - moment).abs() < 1e-14);
     }
 
     #[test]

@@ -7,7 +7,7 @@
 mod joints;
 mod refine;
 
-use crate::scene::{Elements, Insertion, Material, Nodes};
+use crate::scene::{Elements, Insertion, Material, Nodes, Scene};
 use thiserror::Error;
 
 /// Number of passes, enough for the digits of any code.
@@ -30,6 +30,29 @@ pub struct CapacityError {
     pub needed: usize,
     /// Entities declared.
     pub capacity: usize,
+}
+
+/// What a mesh comes to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Room {
+    /// Nodes.
+    pub nodes: usize,
+    /// Elements, joints among them.
+    pub elements: usize,
+}
+
+/// Most nodes or elements that are made only to count them.
+const MOST_COUNTED: usize = 4_000_000;
+
+/// The room that a scene's mesh needs when everything is inserted, if that is not absurdly much.
+#[must_use]
+pub fn room_needed(scene: &Scene) -> Option<Room> {
+    let mut scene = scene.clone();
+    let mut insertion = scene.insertion.take()?;
+    insertion.node_capacity = MOST_COUNTED;
+    insertion.element_capacity = MOST_COUNTED;
+    execute(&mut insertion, &mut scene.nodes, &mut scene.elements, &mut scene.materials).ok()?;
+    Some(Room { nodes: scene.nodes.len(), elements: scene.elements.len() })
 }
 
 /// What the passes did.
@@ -90,10 +113,9 @@ pub fn execute(
 ) -> Result<InsertionReport, CapacityError> {
     for pair in &insertion.pairs {
         let [p, q] = pair.materials;
-        if let Some(material) = usize::try_from(p).ok().filter(|_| p == q) {
-            if let Some(material) = materials.get_mut(material) {
-                material.joint_set = pair.joint_set;
-            }
+        let inside = usize::try_from(p).ok().filter(|_| p == q);
+        if let Some(material) = inside.and_then(|m| materials.get_mut(m)) {
+            material.joint_set = pair.joint_set;
         }
     }
     let mut report = InsertionReport::default();

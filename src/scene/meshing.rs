@@ -36,9 +36,25 @@ impl Combination {
     pub fn inserts_joints(&self) -> bool {
         self.code.to_string().contains('3')
     }
+
+    /// How many triangles `triangles` become.
+    #[must_use]
+    pub fn refined(&self, triangles: u64) -> u64 {
+        self.code.to_string().chars().fold(triangles, |sum, digit| match digit {
+            '1' => sum.saturating_mul(4),
+            '2' => sum.saturating_mul(6),
+            _ => sum,
+        })
+    }
 }
 
 impl Insertion {
+    /// Whether it changes the mesh at all: codes of 0 do nothing.
+    #[must_use]
+    pub fn changes_mesh(&self) -> bool {
+        self.combinations.iter().any(|c| c.code != 0)
+    }
+
     /// Whether joints will be inserted.
     #[must_use]
     pub fn inserts_joints(&self) -> bool {

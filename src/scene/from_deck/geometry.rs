@@ -8,6 +8,9 @@ use crate::{
 };
 use yformat::diagnostic::Diagnostic;
 
+/// Twice the area over the squared longest edge, below which a triangle is flat.
+const FLAT: f64 = 1e-12;
+
 pub(super) fn check(reader: &mut Reader<'_>, scene: &Scene) {
     let triangles: Vec<usize> = (0..scene.elements.len())
         .filter(|&e| {
@@ -30,12 +33,15 @@ fn check_repeated_nodes(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usi
     };
     let Some(found) = Offenders::find(triangles.len(), repeated) else { return true };
     let element = triangles[found.first];
+    let [a, b, c] = scene.elements.corners::<3>(element);
+    let second = if a == b { 1 } else { 2 };
     reader.report(
         Diagnostic::error(
             "scene::repeated-node",
             format!("triangle {element} has the same node twice{}", found.more()),
         )
-        .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
+        .at(reader.entry_at("YDE/I2ELTO", [second, element, 0]))
+        .label(format!("node {} again", if second == 1 { b } else { c }))
         .expected("three different nodes"),
     );
     false
@@ -53,17 +59,22 @@ fn check_areas(
             (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared());
         double_area(&[a, b, c]) / longest
     };
-    let Some(found) = Offenders::find(triangles.len(), |k| !(flatness(triangles[k]) > 1e-12))
-    else {
+    // coordinates that are no numbers have no flatness and count as flat
+    let is_flat = |e: usize| flatness(e).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
+    let Some(found) = Offenders::find(triangles.len(), |k| is_flat(triangles[k])) else {
         return true;
     };
     let element = triangles[found.first];
     let area = 0.5 * double_area(&corners(element));
-    let (code, what, help) = if flatness(element) < -1e-12 {
+    let (code, what, help) = if flatness(element) < -FLAT {
         (
             "scene::clockwise-triangle",
             "runs clockwise",
-            "exchange two of its nodes; the original computes nonsense with it",
+            if coordinates == "D2NCC" {
+                "D2NCC turns it over, D2NCI does not: correct D2NCC, or leave it out to begin with D2NCI"
+            } else {
+                "exchange two of its nodes; the original computes nonsense with it"
+            },
         )
     } else {
         (
@@ -75,7 +86,7 @@ fn check_areas(
     reader.report(
         Diagnostic::error(code, format!("triangle {element} {what}{}", found.more()))
             .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
-            .label(format!("area {area:.6e} with the coordinates of {coordinates}"))
+            .label(format!("area {area:.3e} with the coordinates of {coordinates}"))
             .expected("three nodes counter-clockwise")
             .help(help),
     );
