@@ -1,4 +1,4 @@
-use super::{Exit, deck_report, run::parse_dialect};
+use super::{Exit, console::say, deck_report, run::parse_dialect};
 use crate::{
     scene::Profile,
     session::load,
@@ -28,18 +28,24 @@ pub(super) fn main(arguments: &CheckArguments) -> Exit {
             Ok(loaded) => {
                 deck_report::print(&loaded.findings, loaded.deck.sources(), Severity::Note);
                 match &loaded.simulation {
-                    None => println!("{}: nothing runs", deck.display()),
-                    Some(simulation) => println!(
-                        "{}: {} stages, {} nodes, {} triangles, {} joints: ready to run",
+                    None => say(&format!("{}: nothing runs", deck.display())),
+                    Some(simulation) => say(&format!(
+                        "{}: {}, {}, {}, {}: ready to run",
                         deck.display(),
-                        loaded.stages.len(),
-                        simulation.scene().nodes.len(),
-                        simulation.triangles().count(),
-                        joint_views(simulation).count()
-                    ),
+                        counted(loaded.stages.len(), "stage"),
+                        counted(simulation.scene().nodes.len(), "node"),
+                        counted(simulation.triangles().count(), "triangle"),
+                        counted(joint_views(simulation).count(), "joint")
+                    )),
                 }
             }
         }
     }
     exit
+}
+
+/// `1 stage`, `2 stages`.
+fn counted(count: usize, what: &str) -> String {
+    let plural = if count == 1 { "" } else { "s" };
+    format!("{count} {what}{plural}")
 }

@@ -1,4 +1,7 @@
-use super::Exit;
+use super::{
+    Exit,
+    console::{say, warn},
+};
 use clap::Args;
 use indicatif::ProgressBar;
 use std::path::{Path, PathBuf};
@@ -26,15 +29,15 @@ pub(super) struct ConvertArguments {
 /// Converts each input to what its content asks for.
 pub(super) fn main(arguments: &ConvertArguments) -> Exit {
     if let Err(error) = std::fs::create_dir_all(&arguments.folder) {
-        eprintln!("error: cannot make {}: {error}", arguments.folder.display());
+        warn(&format!("error: cannot make {}: {error}", arguments.folder.display()));
         return Exit::Output;
     }
     let mut exit = Exit::Done;
     for input in &arguments.inputs {
         match convert(input, arguments) {
-            Ok(made) => println!("{} -> {}", input.display(), made.display()),
+            Ok(made) => say(&format!("{} -> {}", input.display(), made.display())),
             Err(error) => {
-                eprintln!("error: {error}");
+                warn(&format!("error: {error}"));
                 exit = Exit::Input;
             }
         }
@@ -55,7 +58,7 @@ fn convert(input: &Path, arguments: &ConvertArguments) -> Result<PathBuf, Conver
             })?;
             bar.finish_and_clear();
             for notice in &report.notices {
-                eprintln!("warning: {}: {notice}", input.display());
+                warn(&format!("warning: {}: {notice}", input.display()));
             }
             Ok(report.collection)
         }

@@ -1,4 +1,4 @@
-use super::Exit;
+use super::{Exit, console::warn};
 use crate::session::DeckFault;
 use yformat::{
     diagnostic::{Diagnostic, Severity},
@@ -8,19 +8,20 @@ use yformat::{
 /// Prints findings with the lines they are about.
 pub(super) fn print(findings: &[Diagnostic], sources: &SourceMap, least: Severity) {
     for finding in findings.iter().filter(|f| f.severity >= least) {
-        eprint!("{}", finding.render(sources));
+        warn(finding.render(sources).trim_end_matches('\n'));
+        warn("");
     }
 }
 
 /// Prints why a deck cannot be run.
 pub(super) fn print_fault(fault: &DeckFault, quiet: bool) -> Exit {
     match fault {
-        DeckFault::Io { .. } => eprintln!("error: {fault}"),
+        DeckFault::Io { .. } => warn(&format!("error: {fault}")),
         DeckFault::Findings { sources, findings } => {
             print(findings, sources, if quiet { Severity::Error } else { Severity::Warning });
             let errors = findings.iter().filter(|f| f.is_error()).count();
             let plural = if errors == 1 { "error" } else { "errors" };
-            eprintln!("{errors} {plural}: the deck is not run, no file was written");
+            warn(&format!("{errors} {plural}: the deck is not run, no file was written"));
         }
     }
     Exit::Input

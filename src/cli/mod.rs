@@ -1,6 +1,7 @@
 //! The command line. One file per subcommand.
 
 mod check;
+mod console;
 mod convert;
 mod deck_report;
 mod exit;

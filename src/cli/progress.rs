@@ -1,4 +1,7 @@
-use super::{deck_report, interrupt};
+use super::{
+    console::{say, warn},
+    deck_report, interrupt,
+};
 use crate::{
     output::TABLE_HEADER,
     session::{Observer, Progress, RunSummary, StopReason},
@@ -6,7 +9,7 @@ use crate::{
 };
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{
-    io::{IsTerminal, Write, stderr, stdout},
+    io::{IsTerminal, stderr},
     time::Duration,
 };
 use yformat::{
@@ -19,11 +22,13 @@ use yformat::{
 pub(super) struct Screen {
     bar: Option<ProgressBar>,
     is_terminal: bool,
+    /// Whether the heading of the table stands on the screen: once for all stages.
+    has_heading: bool,
 }
 
 impl Screen {
     pub fn new() -> Self {
-        Self { bar: None, is_terminal: stderr().is_terminal() }
+        Self { bar: None, is_terminal: stderr().is_terminal(), has_heading: false }
     }
 
     fn print(&self, line: &str) {
@@ -32,12 +37,6 @@ impl Screen {
             None => say(line),
         }
     }
-}
-
-/// Prints a line. A screen that is gone (a closed pipe, say) is no reason to
-/// end a run.
-fn say(line: &str) {
-    let _ = writeln!(stdout(), "{line}");
 }
 
 fn rate(progress: &Progress) -> f64 {
@@ -67,13 +66,16 @@ impl Observer for Screen {
             scene.control.time_step
         ));
         say("Start calculating ...");
+        if !self.has_heading {
+            let more =
+                if self.is_terminal { "" } else { "   Kinetic energy     Steps/s   Time left" };
+            say(&format!("{TABLE_HEADER}{more}"));
+            self.has_heading = true;
+        }
         if self.is_terminal {
-            say(TABLE_HEADER);
             let bar = ProgressBar::with_draw_target(Some(steps), ProgressDrawTarget::stderr());
             let style = ProgressStyle::with_template("{bar:24} {percent:>3}% {msg}");
             self.bar = Some(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())));
-        } else {
-            say(&format!("{TABLE_HEADER}   Kinetic energy     Steps/s   Time left"));
         }
     }
 
@@ -82,7 +84,7 @@ impl Observer for Screen {
     }
 
     fn warning(&mut self, text: &str) {
-        eprintln!("warning: {text}");
+        warn(&format!("warning: {text}"));
     }
 
     fn row(&mut self, row: &str, progress: &Progress) {

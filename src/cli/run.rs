@@ -1,4 +1,4 @@
-use super::{Exit, deck_report, interrupt, progress::Screen};
+use super::{Exit, console::warn, deck_report, interrupt, progress::Screen};
 use crate::{
     scene::Profile,
     session::{Format, RunError, RunOptions, StopReason, load, run},
@@ -75,11 +75,11 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
 pub(super) fn main(arguments: &RunArguments) -> Exit {
     if let Some(threads) = arguments.threads {
         if threads == 0 {
-            eprintln!("error: --threads needs at least 1");
+            warn("error: --threads needs at least 1");
             return Exit::Usage;
         }
         if let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global() {
-            eprintln!("error: cannot start {threads} threads: {error}");
+            warn(&format!("error: cannot start {threads} threads: {error}"));
             return Exit::Usage;
         }
     }
@@ -124,7 +124,7 @@ fn report_failure(error: &RunError) -> Exit {
     if let RunError::Stage { sources, findings } = error {
         deck_report::print(findings, sources, Severity::Warning);
     }
-    eprintln!("error: {error}");
+    warn(&format!("error: {error}"));
     match error {
         RunError::Output(_) => Exit::Output,
         RunError::Unstable { .. } => Exit::Unstable,

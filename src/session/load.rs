@@ -1,5 +1,5 @@
 use crate::{
-    insertion::CapacityError,
+    insertion::{self, CapacityError, Room},
     output::OutputNames,
     scene::{Profile, from_deck},
     simulation::{Simulation, SolverOptions},
@@ -11,7 +11,8 @@ use yformat::{
     deck::{Deck, Stage},
     diagnostic::Diagnostic,
     dialect::Dialect,
-    source::SourceMap,
+    keywords::dialects_knowing,
+    source::{SourceMap, Span},
 };
 
 /// A deck whose first stage is ready to run.
@@ -92,7 +93,9 @@ pub fn load(
     let Some(scene) = built.scene else { return fault(findings) };
     let mut simulation = Simulation::with_options(scene, options);
     if let Err(error) = simulation.prepare() {
-        findings.push(capacity_finding(&deck, &database, &error));
+        let unmeshed = from_deck(&deck, &database, names.base(), profile).scene;
+        let room = unmeshed.and_then(|scene| insertion::room_needed(&scene));
+        findings.push(capacity_finding(&deck, &database, &error, room));
         return fault(findings);
     }
     let findings = findings.into_iter().map(|f| f.located(sources)).collect();
@@ -115,28 +118,43 @@ fn check_dialect(deck: &Deck, findings: &mut Vec<Diagnostic>) {
                 "deck::dialect-not-simulated",
                 format!("this is a deck of the {} dialect, which is read but not simulated yet", deck.dialect()),
             )
+            .at(foreign_keyword(deck))
+            .label(format!("a keyword of the {} dialect", deck.dialect()))
             .help("decks of the split dialect (databases YDPE, YDPN, YDPJ, YDPM) run; `--dialect` forces one"),
         );
     }
 }
 
-/// The finding that a mesh has no room for what is to be inserted.
+/// The first keyword that the split dialect does not have.
+fn foreign_keyword(deck: &Deck) -> Option<Span> {
+    let mut words = deck.assignments().filter_map(|(item, _)| deck.word_span(item));
+    words.find(|&word| {
+        !dialects_knowing(deck.sources().bytes(word)).contains(&Dialect::Split.name())
+    })
+}
+
+/// The finding that a mesh has no room for what is to be inserted. `room` is what it needs
+/// altogether, where that is known.
 pub(super) fn capacity_finding(
     deck: &Deck,
     database: &Database,
     error: &CapacityError,
+    room: Option<Room>,
 ) -> Diagnostic {
     let name = if error.keyword == "MNOPO" { "YDN/MNOPO" } else { "YDE/MELEM" };
     let place = database.given(name).and_then(|item| deck.number_span(item, 0));
-    Diagnostic::error(
+    let finding = Diagnostic::error(
         "scene::capacity",
-        format!(
-            "{} needs {} {} or more, {} leaves room for {}",
-            error.stage, error.needed, error.what, error.keyword, error.capacity
-        ),
+        format!("{} leaves no room for {}", error.keyword, error.stage),
     )
     .at(place)
-    .label(format!("room for {} {}", error.capacity, error.what))
-    .expected(format!("{} of {} or more", error.keyword, error.needed))
-    .help(format!("raise /YD/{name}; joints need 3 nodes a triangle and up to 3 more elements"))
+    .label(format!("room for {} {}", error.capacity, error.what));
+    match room {
+        Some(Room { nodes, elements }) => finding
+            .expected(format!("MNOPO of {nodes} or more and MELEM of {elements} or more"))
+            .help(format!("with all its joints and mid nodes the mesh has {nodes} nodes and {elements} elements")),
+        None => finding
+            .expected(format!("{} of {} or more", error.keyword, error.needed))
+            .help(format!("raise /YD/{name}; joints need 3 nodes for each triangle and up to 3 more elements")),
+    }
 }

@@ -15,11 +15,14 @@ use crate::{
 };
 use std::{
     io::Write as _,
+    ops::Range,
     path::PathBuf,
     time::{Duration, Instant},
 };
 use thiserror::Error;
-use yformat::{d3plot::StartDate, diagnostic::Diagnostic, part_file::PartFile, source::SourceMap};
+use yformat::{
+    d3plot::StartDate, deck::Deck, diagnostic::Diagnostic, part_file::PartFile, source::SourceMap,
+};
 
 /// Time between two looks at the progress.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
@@ -53,7 +56,7 @@ pub enum RunError {
     Output(#[from] OutputError),
     /// Positions or velocities are no numbers any more.
     #[error(
-        "the run has become unstable: at step {step} (time {time:e} s) the kinetic energy is {energy}; \
+        "the run has become unstable: at step {step} (time {time:.6e} s) the kinetic energy is {energy}; \
          try a shorter time step (DCSTEC), smaller penalties or more viscosity (D1PEKS). \
          Results up to then are complete"
     )]
@@ -159,34 +162,56 @@ impl Session<'_> {
         };
         let outcome = (|| {
             for (index, stage) in stages.iter().enumerate() {
-                for item in stage.items.clone() {
-                    if let Some(line) = deck.echo_of(item) {
-                        self.log.line(&line)?;
-                    }
-                }
+                self.echo(&deck, stage.items.clone())?;
                 if index == 0 {
                     for warning in &self.warnings {
                         self.log.line(warning)?;
                     }
+                    self.log.line(TABLE_HEADER)?;
                 } else {
-                    restage(&deck, stage, &mut database, &mut simulation, self.options.profile)
-                        .and_then(|()| {
-                            simulation
-                                .prepare()
-                                .map_err(|e| vec![capacity_finding(&deck, &database, &e)])
+                    let profile = self.options.profile;
+                    let findings = restage(&deck, stage, &mut database, &mut simulation, profile)
+                        .and_then(|found| match simulation.prepare() {
+                            Ok(()) => Ok(found),
+                            Err(e) => Err(vec![capacity_finding(&deck, &database, &e, None)]),
                         })
                         .map_err(|findings| {
                             let sources = Box::new(deck.sources().clone());
                             RunError::Stage { sources, findings }
                         })?;
+                    self.report_new(&findings, deck.sources())?;
                 }
                 if self.run_stage(&mut simulation)? == StopReason::Interrupted {
                     return Ok(StopReason::Interrupted);
                 }
             }
+            let read = stages.last().map_or(0, |stage| stage.items.end);
+            self.echo(&deck, read..deck.items().len())?;
             Ok(StopReason::Finished)
         })();
         (simulation, outcome)
+    }
+
+    /// Reports what was not said about an earlier stage.
+    fn report_new(
+        &mut self,
+        findings: &[Diagnostic],
+        sources: &SourceMap,
+    ) -> Result<(), OutputError> {
+        for finding in findings {
+            let line = finding.to_string();
+            if !self.warnings.contains(&line) {
+                self.observer.findings(std::slice::from_ref(finding), sources);
+                self.log.line(&line)?;
+                self.warnings.push(line);
+            }
+        }
+        Ok(())
+    }
+
+    /// Writes the words of some items to the log.
+    fn echo(&mut self, deck: &Deck, items: Range<usize>) -> Result<(), OutputError> {
+        items.filter_map(|item| deck.echo_of(item)).try_for_each(|line| self.log.line(&line))
     }
 
     fn run_stage(&mut self, simulation: &mut Simulation) -> Result<StopReason, RunError> {
@@ -197,7 +222,6 @@ impl Session<'_> {
         let total = self.done + limit;
         let deck = self.options.deck.display().to_string();
         self.observer.stage_starts(&deck, simulation, limit);
-        self.log.line(TABLE_HEADER)?;
         let triangles = simulation.triangles().count() as u64;
         for _ in 0..limit {
             if self.observer.wants_stop() {
@@ -223,6 +247,7 @@ impl Session<'_> {
                 writer.after_step(simulation)?;
             }
         }
+        check_stability(&self.progress(simulation, total))?;
         Ok(StopReason::Finished)
     }
 
@@ -232,12 +257,7 @@ impl Session<'_> {
         let row = table_row(progress.step, progress.time, &date, progress.seconds);
         self.log.line(&row)?;
         self.observer.row(&row, &progress);
-        let energy = progress.kinetic_energy;
-        if energy.is_finite() {
-            Ok(())
-        } else {
-            Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
-        }
+        check_stability(&progress)
     }
 
     fn progress(&self, simulation: &Simulation, total: u64) -> Progress {
@@ -294,6 +314,15 @@ impl Session<'_> {
         self.observer.finished(&summary);
         Ok(summary)
     }
+}
+
+/// Energy that is no number comes from positions or velocities that are none.
+fn check_stability(progress: &Progress) -> Result<(), RunError> {
+    let energy = progress.kinetic_energy;
+    if energy.is_finite() {
+        return Ok(());
+    }
+    Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
 }
 
 fn write_summary(path: PathBuf, summary: &RunSummary) -> Result<PathBuf, OutputError> {

@@ -5,15 +5,18 @@ meshio. What they read is compared with the full-precision states of the same ru
 other, and with the collection. Prints a table of largest differences; exits with 1 when one is
 larger than allowed or something does not fit together.
 
-A state file `state_<N>.txt` holds the state after N completed steps. Outputs of step index N
-are written before that step's update and therefore show the same coordinates and velocities.
-The step index of an output is the number that ends the name of its grid.
+A state file `<base>.state_<N>.txt` holds the state after N completed steps. Outputs of step
+index N are written after that step's forces and before its update: they show the coordinates
+and velocities of state N and the forces of state N + 1. There is no state 0: the outputs of the
+first step are compared in their forces only. The step index of an output is the number that ends
+the name of its grid.
 """
 
 import argparse
 import re
 import sys
 from pathlib import Path
+from typing import NamedTuple
 from xml.etree import ElementTree
 
 import meshio
@@ -22,8 +25,12 @@ from lasso.dyna import D3plot
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
 
-VTK_TRIANGLE, VTK_TETRA = 5, 10
-CONTINUUM = {VTK_TRIANGLE: ("triangle", 3), VTK_TETRA: ("tetra", 4)}
+VTK_LINE, VTK_TRIANGLE, VTK_TETRA = 3, 5, 10
+CORNERS = {VTK_TRIANGLE: 3, VTK_TETRA: 4}
+BROKEN = 2
+STRESS = "Cauchy stress"
+# in a plane d3plot the components other than XX, YY and XY are 0
+PLANE = [0, 1, 3]
 
 
 class Checks:
@@ -75,21 +82,36 @@ class Checks:
         return 1 if self.failures else 0
 
 
+class State(NamedTuple):
+    """A state file; vectors have three components."""
+
+    coordinates: np.ndarray
+    velocities: np.ndarray
+    forces: np.ndarray
+    masses: np.ndarray
+    flags: np.ndarray
+    sets: np.ndarray
+    elements: np.ndarray
+
+
 def read_state(path):
-    """Coordinates and velocities of a state file, three components each."""
-    nodes = []
+    """The nodes and the elements of a state file."""
+    nodes, elements = [], []
+    rows = nodes
     with open(path, encoding="ascii") as lines:
         for line in lines:
             if line.startswith("# element"):
-                break
-            if not line.startswith("#") and line.strip():
-                nodes.append([float(number) for number in line.split()])
-    nodes = np.array(nodes)
+                rows = elements
+            elif not line.startswith("#") and line.strip():
+                rows.append([float(number) for number in line.split()])
+    nodes, elements = np.array(nodes), np.array(elements, dtype=int)
     # id, then position, velocity and force, then mass, boundary flag and property
     dimensions = (nodes.shape[1] - 4) // 3
-    vectors = [nodes[:, 1 + i * dimensions : 1 + (i + 1) * dimensions] for i in range(2)]
+    vectors = [nodes[:, 1 + i * dimensions : 1 + (i + 1) * dimensions] for i in range(3)]
     missing = np.zeros((len(nodes), 3 - dimensions))
-    return [np.hstack([vector, missing]) for vector in vectors]
+    vectors = [np.hstack([vector, missing]) for vector in vectors]
+    # id, property, nodes
+    return State(*vectors, *nodes[:, -3:].T, elements[:, 2:])
 
 
 def read_collection(path):
@@ -121,7 +143,7 @@ def read_with_vtk(path):
         return {name: vtk_to_numpy(data.GetArray(name)) for name in names}
 
     cells = grid.GetCells()
-    tensors = grid.GetCellData().GetArray("stress")
+    tensors = grid.GetCellData().GetArray(STRESS)
     return {
         "points": vtk_to_numpy(grid.GetPoints().GetData()),
         "point": arrays(grid.GetPointData()),
@@ -160,17 +182,13 @@ def single(values):
     return np.asarray(values).astype(np.float32)
 
 
-def continuum_of_d3plot(d3plot):
-    """Connectivity and stresses of triangles or tetrahedra, joints left out."""
+def shells_or_solids(d3plot):
+    """Kind of element that a d3plot holds, and which of its elements are no joints."""
     for kind, corners in [("shell", 3), ("solid", 4)]:
         nodes = d3plot.arrays.get(f"element_{kind}_node_indexes", np.zeros((0, 8)))
         if len(nodes):
-            chosen = (nodes[:, corners:] == nodes[:, [corners - 1]]).all(axis=1)
-            stresses = d3plot.arrays.get(f"element_{kind}_stress")
-            if stresses is not None:
-                stresses = stresses[:, chosen, 0, :]
-            return nodes[chosen][:, :corners], stresses
-    return None, None
+            return kind, corners, (nodes[:, corners:] == nodes[:, [corners - 1]]).all(axis=1)
+    return None, 0, None
 
 
 def check_d3plot(checks, d3plot, outputs, states):
@@ -180,71 +198,118 @@ def check_d3plot(checks, d3plot, outputs, states):
     checks.same("d3plot: number of states", len(times), len(outputs))
     expected = single([time for (time, _), _ in outputs])
     checks.close("lasso: times, against the collection", times, expected)
+    checks.close("lasso: accelerations, against 0", arrays["node_acceleration"], 0.0 * arrays["node_velocity"])
     for index, ((_, step), _) in enumerate(outputs[: len(times)]):
         if step in states:
-            coordinates, velocities = read_state(states[step])
+            state = states[step]
             # lasso calls the current coordinates displacement
             found = arrays["node_displacement"][index]
-            checks.close("lasso: coordinates, against states", found, single(coordinates))
+            checks.close("lasso: coordinates, against states", found, single(state.coordinates))
             found = arrays["node_velocity"][index]
-            checks.close("lasso: velocities, against states", found, single(velocities))
+            checks.close("lasso: velocities, against states", found, single(state.velocities))
+
+
+def check_nodes(checks, grid, step, states):
+    """Points of a grid of bodies against the states."""
+    points = grid["point"]
+    if step in states:
+        state = states[step]
+        checks.close("VTK: coordinates, against states", grid["points"], state.coordinates)
+        checks.close("VTK: velocities, against states", points["velocity"], state.velocities)
+    if step + 1 in states:
+        state = states[step + 1]
+        checks.close("VTK: forces, against states", points["force"], state.forces)
+        checks.close("VTK: masses, against states", points["mass"], state.masses)
+        checks.close("VTK: boundary flags, against states", points["boundary flag"], state.flags)
+        checks.close("VTK: node sets, against states", points["boundary condition ID"], state.sets)
+        corners = CORNERS[int(grid["types"][0])]
+        expected = state.elements[grid["cell"]["element ID"], :corners]
+        found = grid["connectivity"].reshape(-1, corners)
+        checks.close("VTK: connectivity, against states", found, expected)
+
+
+def check_joints(checks, grid, step, states):
+    """A grid of joints against the states: each is a line along its middle."""
+    if step in states:
+        state = states[step]
+        nodes = state.elements[grid["cell"]["element ID"], :4]
+        x = state.coordinates[nodes]
+        middle = np.stack([(x[:, 0] + x[:, 3]) / 2, (x[:, 1] + x[:, 2]) / 2], axis=1)
+        found = grid["points"][grid["connectivity"].reshape(-1, 2)]
+        checks.close("VTK: middles of joints, against states", found, middle)
+
+
+def check_against_d3plot(checks, path, grid, index, d3plot):
+    """A grid of bodies or of joints against what lasso reads."""
+    kind, corners, is_continuum = shells_or_solids(d3plot)
+    if kind is None:
+        checks.fail("lasso finds no elements in the d3plot")
+        return
+    alive = d3plot.arrays[f"element_{kind}_is_alive"][index]
+    energy = d3plot.arrays["global_kinetic_energy"][index]
+    found = single(grid["field"]["kinetic energy"])
+    checks.close("VTK: kinetic energy, against lasso", found, [energy])
+    stresses = d3plot.arrays.get(f"element_{kind}_stress")
+    if stresses is None:
+        checks.fail("lasso finds no stresses in the d3plot")
+        return
+    # one integration point
+    stresses = stresses[index].reshape(len(is_continuum), 6)
+    if grid["types"][0] == VTK_LINE:
+        of_joints = stresses[~is_continuum]
+        checks.close("lasso: stresses of joints, against 0", of_joints, 0.0 * of_joints)
+        broken = grid["cell"]["joint state"] == BROKEN
+        checks.close("VTK: broken joints, against lasso", broken, alive[~is_continuum] == 0)
+        return
+    nodes = d3plot.arrays[f"element_{kind}_node_indexes"][is_continuum][:, :corners]
+    checks.close("VTK: connectivity, against lasso", grid["connectivity"].reshape(-1, corners), nodes)
+    material = d3plot.arrays[f"element_{kind}_part_indexes"][is_continuum]
+    checks.close("VTK: materials, against lasso", grid["cell"]["material property ID"], material)
+    names = grid["stress components"]
+    checks.same(f"{path}: stress components", names, ["XX", "YY", "ZZ", "XY", "YZ", "XZ"])
+    expected = single(grid["cell"][STRESS])
+    if kind == "shell":
+        expected = np.where(np.isin(np.arange(6), PLANE), expected, 0)
+    checks.close("lasso: stresses, against VTK", stresses[is_continuum], expected)
 
 
 def check_grids(checks, outputs, states, d3plot):
     """What VTK and meshio read against the states and the d3plot."""
-    connectivity, stresses = continuum_of_d3plot(d3plot) if d3plot else (None, None)
     for index, ((time, step), parts) in enumerate(outputs):
         for part, path in sorted(parts.items()):
             grid = read_with_vtk(path)
-            if len(grid["types"]):  # meshio 5.3.5 cannot read grids without cells
-                check_meshio(checks, path, grid)
             checks.close("VTK: TimeValue, against the collection", grid["field"]["TimeValue"], [time])
-            if step in states:
-                coordinates, velocities = read_state(states[step])
-                checks.close("VTK: coordinates, against states", grid["points"], coordinates)
-                velocity = grid["point"]["velocity"]
-                checks.close("VTK: velocities, against states", velocity, velocities)
-            if part != 0 or d3plot is None:
+            if not len(grid["types"]):  # meshio 5.3.5 cannot read grids without cells
                 continue
-            kinds = set(grid["types"].tolist())
-            if len(kinds) != 1 or not kinds <= set(CONTINUUM):
-                checks.fail(f"{path}: cells of types {kinds}")
-                continue
-            _, corners = CONTINUUM[kinds.pop()]
-            found = grid["connectivity"].reshape(-1, corners)
-            checks.close("VTK: connectivity, against lasso", found, connectivity)
-            names = grid["stress components"]
-            checks.same(f"{path}: stress components", names, ["XX", "YY", "ZZ", "XY", "YZ", "XZ"])
-            if stresses is None:
-                checks.fail("lasso finds no stresses in the d3plot")
-            elif index < len(stresses):
-                found = single(grid["cell"]["stress"])
-                checks.close("VTK: stresses, against lasso", found, stresses[index])
+            check_meshio(checks, path, grid)
+            if part == 0:
+                check_nodes(checks, grid, step, states)
+            else:
+                check_joints(checks, grid, step, states)
+            if d3plot is not None:
+                check_against_d3plot(checks, path, grid, index, d3plot)
 
 
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("run", type=Path, metavar="RUN_DIR", help="folder of the run; other paths are relative to it")
-    parser.add_argument("--d3plot", type=Path, help="first file of the d3plot family")
-    parser.add_argument("--pvd", type=Path, required=True, help="collection of the run")
-    parser.add_argument("--states", type=Path, default=Path("."), help="folder of the state_<N>.txt")
-    parser.add_argument("--every", type=int, default=1, help="steps per output, where grids are numbered by output")
+    parser.add_argument("run", type=Path, metavar="RUN_DIR", help="folder of the run")
+    parser.add_argument("base", help="name of the results: that of the deck up to its last dot")
     parser.add_argument("--tolerance", type=float, default=0.0, help="allowed difference relative to the largest value (default: none)")
     options = parser.parse_args()
 
-    outputs = read_collection(options.run / options.pvd)
-    outputs = [((time, step * options.every), parts) for (time, step), parts in outputs]
-    found = (options.run / options.states).glob("state_*.txt")
-    states = {int(path.stem.removeprefix("state_")): path for path in found}
-    d3plot = D3plot(str(options.run / options.d3plot)) if options.d3plot else None
+    outputs = read_collection(options.run / f"{options.base}.pvd")
+    found = options.run.glob(f"{options.base}.state_*.txt")
+    states = {int(path.stem.rpartition("_")[2]): read_state(path) for path in found}
+    d3plot = D3plot(str(options.run / options.base))
 
     checks = Checks(options.tolerance)
-    compared = sorted(states.keys() & {step for (_, step), _ in outputs})
-    print(f"{len(outputs)} outputs, full-precision states of steps {compared}")
-    if not compared:
-        checks.fail("no state file belongs to an output")
-    if d3plot:
-        check_d3plot(checks, d3plot, outputs, states)
+    steps = {step for (_, step), _ in outputs}
+    print(f"{len(outputs)} outputs, full-precision states of steps {sorted(states)}")
+    if not steps & states.keys():
+        checks.fail("no state file belongs to the coordinates of an output")
+    if not {step + 1 for step in steps} & states.keys():
+        checks.fail("no state file belongs to the forces of an output")
+    check_d3plot(checks, d3plot, outputs, states)
     check_grids(checks, outputs, states, d3plot)
     sys.exit(checks.report())
 

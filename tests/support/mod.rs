@@ -1,4 +1,7 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod grid_deck;
+pub mod scenes;
+pub mod spoilt_deck;
 pub mod state_file;

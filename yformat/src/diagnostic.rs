@@ -91,7 +91,7 @@ impl Diagnostic {
     /// A finding of the given severity, without a place.
     #[must_use]
     pub fn new(severity: Severity, code: &'static str, message: impl Into<String>) -> Self {
-        let message = message.into();
+        let message = printable(message.into());
         Diagnostic { severity, code, message, span: None, notes: Box::default() }
     }
 
@@ -124,21 +124,21 @@ impl Diagnostic {
     /// Says what was found there.
     #[must_use]
     pub fn label(mut self, label: impl Into<String>) -> Self {
-        self.notes.label = Some(label.into());
+        self.notes.label = Some(printable(label.into()));
         self
     }
 
     /// Says what should stand there.
     #[must_use]
     pub fn expected(mut self, expected: impl Into<String>) -> Self {
-        self.notes.expected = Some(expected.into());
+        self.notes.expected = Some(printable(expected.into()));
         self
     }
 
     /// Says how to mend the file.
     #[must_use]
     pub fn help(mut self, help: impl Into<String>) -> Self {
-        self.notes.help = Some(help.into());
+        self.notes.help = Some(printable(help.into()));
         self
     }
 
@@ -161,6 +161,11 @@ impl Diagnostic {
     pub fn render(&self, sources: &SourceMap) -> String {
         render::render(self, sources)
     }
+}
+
+/// Texts quote words of the file, whose control characters must not reach a terminal.
+fn printable(text: String) -> String {
+    if text.contains(char::is_control) { text.replace(char::is_control, "\u{FFFD}") } else { text }
 }
 
 impl fmt::Display for Diagnostic {

@@ -186,6 +186,11 @@ impl SourceMap {
         }
     }
 
+    /// The empty place at the beginning of the first file.
+    pub(crate) fn start(&self) -> Span {
+        Span::new(SourceId(0), 0..0)
+    }
+
     pub(crate) fn share(&self, id: SourceId) -> Arc<Vec<u8>> {
         self.files.get(id.0).map(|source| Arc::clone(&source.bytes)).unwrap_or_default()
     }

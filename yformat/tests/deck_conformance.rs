@@ -65,7 +65,7 @@ fn words_comments_and_scalars() {
         ("/YD/YDC/DCTIME 1e400 $YDOIT\n", 0, 0, 0, &["deck::number-out-of-range"]),
         ("/YD/YDC/DCTIME 0x1.8p3 $YDOIT\n", 0, 0, 0, &["deck::not-a-number"]),
         ("/YD/YDC/DCTIME 1e /YD/YDC/MCSTEP 5 $YDOIT\n", 1, 5, 0, &["deck::incomplete-exponent"]),
-        ("/YD/YDC/MCSTEP + $YDOIT\n", 1, 0, 0, &["deck::lone-sign", "deck::missing-value"]),
+        ("/YD/YDC/MCSTEP + $YDOIT\n", 1, 0, 0, &["deck::lone-sign"]),
         ("\u{feff}/YD/YDC/MCSTEP 5 $YDOIT\n", 0, 0, 0, &["deck::byte-order-mark"]),
         ("/YD/YDC/DCSIZC -1 $YDOIT\n", 0, 0, 0, &["deck::negative-parameter"]),
         ("/* a */ */ $YDOIT\n", 0, 0, 0, &["deck::unknown-word"]),
@@ -252,7 +252,7 @@ fn dialects_keep_their_keywords_apart() {
     };
     let (code, help) = unknown(Classic, "/YD/YDI/MISTATE").unwrap();
     assert_eq!(code, "deck::unknown-keyword");
-    assert_eq!(help, "it belongs to the split and y-geo dialect; this deck is read as classic");
+    assert_eq!(help, "it belongs to the split and y-geo dialects; this deck is read as classic");
     assert_eq!(unknown(YGeo, "/YD/YDPE/D1PEPT").unwrap().0, "deck::unknown-keyword");
     assert!(unknown(Classic, "/YD/YDP/D1PEGF").unwrap().1.contains("book"));
     // Y-Geo takes every name that begins with D1PEG for the shear modulus.

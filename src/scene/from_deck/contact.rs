@@ -1,5 +1,5 @@
 use super::{Reader, reader::Offenders};
-use crate::scene::{ContactSettings, ElementKind, Scene};
+use crate::scene::{ContactSettings, ElementKind, Insertion, Scene};
 use yformat::diagnostic::Diagnostic;
 
 /// Sliding states that a couple needs: one for each edge of its two triangles.
@@ -59,7 +59,8 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     let candidates = (0..scene.elements.len()).filter(|&e| touches(e)).count();
     let part = (0..scene.elements.len()).filter(|&e| touches(e) && tagged(e)).count();
     // joint insertion and refinement flag nodes themselves
-    if candidates > 1 && part == 0 && !contact.all_elements && scene.insertion.is_none() {
+    let flags_nodes = scene.insertion.as_ref().is_some_and(Insertion::changes_mesh);
+    if candidates > 1 && part == 0 && !contact.all_elements && !flags_nodes {
         reader.report(
             Diagnostic::warning(
                 "scene::no-contact",

@@ -24,7 +24,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         reader.report(
             Diagnostic::warning(
                 "scene::step-count",
-                format!("there is no step to do: steps run from {first} to {end} - 1"),
+                format!("there is no step to do: MCSTEP {end} is not above NCSTEP {first}"),
             )
             .at(reader.place("YDC/MCSTEP").or_else(|| reader.place("YDC/NCSTEP")))
             .help("set /YD/YDC/MCSTEP to the number of steps"),

@@ -8,6 +8,8 @@ use yformat::{database::Field, diagnostic::Diagnostic};
 
 /// Most node numbers that an element of the table can have.
 const MOST_NODES: usize = 6;
+/// Most rows of the element table that state files show, whatever MELNO declares.
+const MOST_ROWS: usize = 32;
 
 pub(super) fn read(
     reader: &mut Reader<'_>,
@@ -25,14 +27,15 @@ pub(super) fn read(
     let corner = |e: usize, i: usize| topology.get2(i, e);
     // without materials their count or types are wrong, which has been reported
     if check_topology(reader, topology, len, nodes) && materials > 0 {
-        check_properties(reader, property, len, materials, laws, |e| corner(e, 3) >= 0);
+        let is_joint = |e| corner(e, 3) >= 0;
+        check_properties(reader, len, |e| property.get1(e), is_joint, materials, laws);
     }
     let tag = reader.integers("YDE/I1ELBE", -1);
     let rows = usize::try_from(reader.integer("YDE/MELNO")).unwrap_or(0);
     let state_rows = usize::try_from(reader.integer("YDE/MELST")).unwrap_or(0).min(64);
     let state = reader.database.reals("YDE/D2ELST");
     Some(Elements {
-        table_rows: rows,
+        table_rows: rows.min(MOST_ROWS),
         nodes: (0..len)
             .map(|e| {
                 std::array::from_fn(|i| {
@@ -59,10 +62,10 @@ fn check_topology(
         reader.report(
             Diagnostic::error(
                 "scene::short-array",
-                format!("YDE/I2ELTO gives {rows} nodes an element"),
+                format!("YDE/I2ELTO gives {rows} nodes for each element"),
             )
-            .at(reader.word("YDE/I2ELTO"))
-            .expected("3 nodes a triangle: `21 3 <number of elements>`"),
+            .at(reader.length("YDE/I2ELTO", 0))
+            .expected("3 nodes for each triangle, after the header `21 3 <number of elements>`"),
         );
         return false;
     }
@@ -107,17 +110,18 @@ fn check_topology(
     true
 }
 
-fn check_properties(
+/// Reports elements whose property does not exist.
+pub(super) fn check_properties(
     reader: &mut Reader<'_>,
-    property: &Field<i64>,
     len: usize,
+    property: impl Fn(usize) -> i64,
+    is_joint: impl Fn(usize) -> bool,
     materials: usize,
     laws: usize,
-    is_joint: impl Fn(usize) -> bool,
 ) {
     let (first_law, end) = (materials as i64, (materials + laws) as i64);
     let wrong = |e: usize| {
-        let p = property.get1(e);
+        let p = property(e);
         if is_joint(e) {
             let dead = p == i64::from(BROKEN_JOINT) || p == i64::from(CLOSED_EDGE);
             !dead && !(first_law..end).contains(&p)
@@ -127,7 +131,7 @@ fn check_properties(
     };
     if let Some(found) = Offenders::find(len, wrong) {
         let e = found.first;
-        let code = property.get1(e);
+        let code = property(e);
         let (kind, expected) = if is_joint(e) {
             (
                 "joint",

@@ -1,5 +1,5 @@
 use super::{Reader, joints, nodes::to_i32, reader::numbers_of};
-use crate::scene::{Combination, Insertion, JointPair, Material};
+use crate::scene::{Combination, Insertion, JointPair, Material, Scene};
 use yformat::{database::Field, diagnostic::Diagnostic};
 
 pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<Insertion> {
@@ -18,8 +18,10 @@ pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<In
     let row = |i: usize, r: usize| rows.map_or(-1, |f| f.get2(i, r));
     let names: Vec<[i64; 2]> = (0..count).map(|r| [row(0, r), row(1, r)]).collect();
     joints::check_pairs(reader, &names, materials.len());
+    // materials that do not exist have been reported and never apply
+    let material = |m: i64| to_i32(m.clamp(-1, MOST_MATERIAL));
     let pairs = (0..count).map(|r| JointPair {
-        materials: [to_i32(row(0, r)), to_i32(row(1, r))],
+        materials: [material(row(0, r)), material(row(1, r))],
         joint_set: to_i32(row(2, r)),
     });
     let capacity = |name| usize::try_from(reader.integer(name)).unwrap_or(0);
@@ -85,6 +87,42 @@ fn combination(
         );
     }
     Some(Combination { code, materials: listed.into_iter().map(|m| m as usize).collect() })
+}
+
+/// Material number beyond all that exist, small enough to count on from.
+const MOST_MATERIAL: i64 = 1 << 30;
+
+/// Largest number of triangles that refinement may come to: node numbers have 32 bits.
+const MOST_TRIANGLES: u64 = i32::MAX as u64 / 3;
+
+/// Checks that need the whole scene.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    let Some(insertion) = &scene.insertion else { return };
+    for (record, combination) in insertion.combinations.iter().enumerate() {
+        let triangles = combination.refined(scene.elements.len() as u64);
+        if triangles > MOST_TRIANGLES {
+            reader.report(
+                Diagnostic::error(
+                    "scene::mesh-code",
+                    format!("mesh code {} makes {triangles} triangles", combination.code),
+                )
+                .at(reader.entry_at("YDPM/I2PMSET", [1, record, 0]))
+                .expected(format!("at most {MOST_TRIANGLES} triangles"))
+                .help("each digit 1 makes 4 triangles of one, each digit 2 makes 6: use fewer"),
+            );
+            return;
+        }
+    }
+    if insertion.changes_mesh() && scene.elements.state.is_empty() {
+        reader.report(
+            Diagnostic::note(
+                "scene::original-needs",
+                "the original cannot mesh without element states (MELST)",
+            )
+            .at(reader.word("YDPM/I2PMSET"))
+            .help("add /YD/YDE/MELST 1 behind MELEM to run the deck with the original, too"),
+        );
+    }
 }
 
 fn check(reader: &mut Reader<'_>, insertion: &Insertion) {

@@ -9,7 +9,7 @@ use yformat::diagnostic::Diagnostic;
 const WHAT: &str = "joint property sets";
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
-    let len = reader.count("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT, 0);
+    let len = reader.count_of_sets("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT);
     let real = |name| reader.reals(name, 0.0);
     let (ft, fs, gf) = (real("YDPJ/D1PJFT"), real("YDPJ/D1PJFS"), real("YDPJ/D1PJGF"));
     let (co, fr, pe) = (real("YDPJ/D1PJCO"), real("YDPJ/D1PJFR"), real("YDPJ/D1PJPE"));
@@ -62,7 +62,7 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
         reader.report(
             Diagnostic::error(
                 "scene::joint-set",
-                format!("joint set {set} does not exist: there are {count}"),
+                format!("joint set {set} does not exist"),
             )
             .at(row.and_then(|row| reader.entry_at("YDPM/I2PMIJ", [2, row, 0])))
             .label(format!("joint set {set}"))

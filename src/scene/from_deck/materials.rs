@@ -1,4 +1,4 @@
-use super::{Reader, nodes::to_i32};
+use super::{Reader, nodes::to_i32, reader::numbers_of};
 use crate::scene::{ElementKind, Material, Scene};
 use yformat::diagnostic::Diagnostic;
 
@@ -82,6 +82,19 @@ fn kind(reader: &mut Reader<'_>, set: usize, code: i64) -> ElementKind {
 
 /// Checks that need to know which materials are used.
 pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    let reads_stretch = |m: &Material| {
+        matches!(m.kind, ElementKind::ElasticTriangle | ElementKind::SofteningTriangle)
+    };
+    if !reader.is_given("YDPE/D1PSEM") && scene.materials.iter().any(reads_stretch) {
+        reader.report(
+            Diagnostic::note(
+                "scene::original-needs",
+                "the original cannot run a deck without D1PSEM, though elastic triangles do not use it",
+            )
+            .at(reader.word("YDPE/NPROP"))
+            .help("add /YD/YDPE/D1PSEM with a 0 for each property set to run the deck with the original, too"),
+        );
+    }
     for (set, material) in scene.materials.iter().enumerate() {
         let used = scene.elements.property.contains(&(set as i32));
         if !used || matches!(material.kind, ElementKind::Inert(_)) {
@@ -94,7 +107,8 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
                     format!("material {set} has no density: its nodes cannot move"),
                 )
                 .at(reader.entry("YDPE/D1PERO", set))
-                .expected("a density above 0"),
+                .expected("a density above 0")
+                .help("give it with /YD/YDPE/D1PERO"),
             );
         }
         if material.kind == ElementKind::SofteningTriangle {
@@ -115,7 +129,8 @@ fn check_softening(reader: &mut Reader<'_>, scene: &Scene, set: usize) {
                 ),
             )
             .at(reader.entry("YDPE/D1PSEM", set).or_else(|| reader.entry("YDPE/I1PTYP", set)))
-            .expected("a stretch above 0 in /YD/YDPE/D1PSEM"),
+            .expected("a stretch above 0 in /YD/YDPE/D1PSEM")
+            .help("it is the stretch beyond 1 at which the triangle is damaged completely"),
         );
     }
     let row = usize::try_from(material.damage_row).ok().filter(|&r| r < scene.elements.state.len());
@@ -124,12 +139,12 @@ fn check_softening(reader: &mut Reader<'_>, scene: &Scene, set: usize) {
             Diagnostic::error(
                 "scene::softening",
                 format!(
-                    "softening material {set} keeps its damage in row {} of D2ELST, which has {} rows",
-                    material.damage_row,
-                    scene.elements.state.len()
+                    "softening material {set} keeps its damage in row {} of D2ELST, which does not exist",
+                    material.damage_row
                 ),
             )
             .at(reader.entry("YDPE/I1PSDE", set).or_else(|| reader.place("YDE/MELST")))
+            .expected(format!("a row of D2ELST: {}", numbers_of(scene.elements.state.len())))
             .help("raise /YD/YDE/MELST or correct /YD/YDPE/I1PSDE"),
         );
     }

@@ -85,6 +85,7 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
     if !reader.has_errors() {
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
+        insertion::check_use(reader, &scene);
         geometry::check(reader, &scene);
         node_sets::check_use(reader, &scene);
         contact::check_use(reader, &scene);

@@ -10,7 +10,7 @@ use nalgebra::{Matrix2, Vector2};
 use yformat::diagnostic::Diagnostic;
 
 pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>> {
-    let len = reader.count("YDPN/NPNSET", "YDPN/MPNSET", "node sets", 0);
+    let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets");
     let codes = [reader.integers("YDPN/I1PNFX", -1), reader.integers("YDPN/I1PNFY", -1)];
     let amplitudes = [reader.reals("YDPN/D1PNAX", 1.0), reader.reals("YDPN/D1PNAY", 1.0)];
     let (pressure, traction) = (reader.reals("YDPN/D1PNAP", 0.0), reader.reals("YDPN/D1PNAT", 0.0));
@@ -151,16 +151,22 @@ pub(super) fn read_load_history(reader: &mut Reader<'_>, sets: usize) -> Option<
     let given = table.given_shape();
     let (given_sets, given_points) =
         (given.get(1).copied().unwrap_or(0), given.get(2).copied().unwrap_or(0));
-    if given_sets < sets || given_points < points {
-        reader.report(
-            Diagnostic::error(
-                "scene::short-array",
-                format!("the load-time table has {given_points} points for {given_sets} sets"),
-            )
-            .at(reader.word("YDPN/D3PNFAC"))
-            .expected(format!("{points} points (NPNFACT) for each of {sets} node sets (NPNSET)")),
-        );
-        return None;
+    for (index, given, needed, what) in
+        [(1, given_sets, sets, "node sets (NPNSET)"), (2, given_points, points, "points (NPNFACT)")]
+    {
+        if given < needed {
+            reader.report(
+                Diagnostic::error(
+                    "scene::short-array",
+                    format!("the load-time table is given for {given} of {needed} {what}"),
+                )
+                .at(reader.length("YDPN/D3PNFAC", index))
+                .expected(format!(
+                    "the header `231 2 {sets} {points}`, then the pairs `time factor` of one set after the other"
+                )),
+            );
+            return None;
+        }
     }
     let at = |set: usize, p: usize| (table.get3(0, set, p), table.get3(1, set, p));
     let history = LoadHistory {
@@ -186,9 +192,7 @@ fn check_times(reader: &mut Reader<'_>, history: &LoadHistory) {
             )
             .at(reader.entry_at("YDPN/D3PNFAC", [0, set, k + 1]))
             .expected("times that increase from point to point")
-            .help(
-                "an interval without length makes the factor undefined; move one of the two points",
-            ),
+            .help("the table lists pairs `time factor`, one set after the other: put them in order of time, no time twice"),
         );
         return;
     }

@@ -79,10 +79,10 @@ fn check_components(reader: &mut Reader<'_>, name: &str, field: &Field<f64>) {
         reader.report(
             Diagnostic::error(
                 "scene::short-array",
-                format!("{name} gives {components} coordinates a node"),
+                format!("{name} gives {components} of the 2 coordinates of each node"),
             )
-            .at(reader.word(name))
-            .expected("2 coordinates a node: `21 2 <number of nodes>`"),
+            .at(reader.length(name, 0))
+            .expected("2 coordinates for each node, after the header `21 2 <number of nodes>`"),
         );
     }
 }

@@ -1,7 +1,7 @@
 use super::Reader;
 use crate::{
     mechanics::Vec2,
-    scene::{Probe, ProbeQuantity, Scene},
+    scene::{Insertion, Probe, ProbeQuantity, Scene},
 };
 use yformat::diagnostic::Diagnostic;
 
@@ -61,7 +61,8 @@ fn quantity(reader: &mut Reader<'_>, history: usize, code: i64) -> ProbeQuantity
 
 /// Reports histories whose point lies nowhere.
 pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
-    if scene.insertion.is_some() {
+    // where nodes and elements will be is not known yet
+    if scene.insertion.as_ref().is_some_and(Insertion::changes_mesh) {
         return;
     }
     for (history, probe) in scene.probes.iter().enumerate() {

@@ -5,11 +5,16 @@ use yformat::{
     source::Span,
 };
 
+/// Most node sets or joint sets that a deck may have.
+const MOST_SETS: usize = 1_000_000;
+
 /// Reads values of a deck and collects findings about them.
 pub(super) struct Reader<'a> {
     pub deck: &'a Deck,
     pub database: &'a Database,
     findings: Vec<Diagnostic>,
+    /// What too short an array has been reported for: where their number is wrong, all are short.
+    reported_short: Vec<&'static str>,
 }
 
 /// `1 entry`, `4 entries`.
@@ -24,8 +29,8 @@ fn one_entry_each(count: usize, what: &str) -> String {
 /// The numbers of `count` things: `0 to 3`, or `0` where there is only one.
 pub(super) fn numbers_of(count: usize) -> String {
     match count {
-        0 => "none, there are none".to_owned(),
-        1 => "0".to_owned(),
+        0 => "there is none".to_owned(),
+        1 => "0, as there is only one".to_owned(),
         _ => format!("0 to {}", count - 1),
     }
 }
@@ -52,7 +57,7 @@ impl Offenders {
 
 impl<'a> Reader<'a> {
     pub fn new(deck: &'a Deck, database: &'a Database) -> Self {
-        Self { deck, database, findings: Vec::new() }
+        Self { deck, database, findings: Vec::new(), reported_short: Vec::new() }
     }
 
     pub fn into_findings(self) -> Vec<Diagnostic> {
@@ -96,8 +101,12 @@ impl<'a> Reader<'a> {
         let (n, room) = (self.integer(actual), self.integer(capacity));
         let place = self.place(actual).or_else(|| self.place(capacity));
         if n < least {
+            let message = match self.is_given(actual) {
+                true => format!("{actual} gives {n} {what}"),
+                false => format!("{actual}, the number of {what}, is missing"),
+            };
             self.report(
-                Diagnostic::error("scene::count", format!("{actual} gives {n} {what}"))
+                Diagnostic::error("scene::count", message)
                     .at(place)
                     .expected(format!("at least {least}"))
                     .help(format!("give the number of {what} with /YD/{actual}")),
@@ -121,11 +130,26 @@ impl<'a> Reader<'a> {
         usize::try_from(n).unwrap_or(0)
     }
 
+    /// Number of sets whose arrays may all be absent, so that nothing else bounds it.
+    pub fn count_of_sets(&mut self, actual: &str, capacity: &str, what: &str) -> usize {
+        let n = self.count(actual, capacity, what, 0);
+        if n <= MOST_SETS {
+            return n;
+        }
+        self.report(
+            Diagnostic::error("scene::count", format!("{actual} gives {n} {what}"))
+                .at(self.place(actual))
+                .expected(format!("at most {MOST_SETS}"))
+                .help("correct it: a number of this size is hardly meant"),
+        );
+        0
+    }
+
     /// An array that must give at least `needed` entries along its last index.
     pub fn required_reals(
         &mut self,
         name: &str,
-        what: &str,
+        what: &'static str,
         needed: usize,
     ) -> Option<&'a Field<f64>> {
         let field = self.database.reals(name);
@@ -137,7 +161,7 @@ impl<'a> Reader<'a> {
     pub fn required_integers(
         &mut self,
         name: &str,
-        what: &str,
+        what: &'static str,
         needed: usize,
     ) -> Option<&'a Field<i64>> {
         let field = self.database.integers(name);
@@ -148,7 +172,7 @@ impl<'a> Reader<'a> {
     fn complete(
         &mut self,
         name: &str,
-        what: &str,
+        what: &'static str,
         needed: usize,
         given: Option<(usize, Option<usize>)>,
     ) -> bool {
@@ -156,7 +180,7 @@ impl<'a> Reader<'a> {
         if needed == 0 {
             return false;
         }
-        let Some((given, Some(item))) = given else {
+        let Some((given, Some(_))) = given else {
             self.report(
                 Diagnostic::error("scene::missing-array", format!("{name} is missing"))
                     .expected(format!("/YD/{name} with {}", one_entry_each(needed, what)))
@@ -164,9 +188,12 @@ impl<'a> Reader<'a> {
             );
             return false;
         };
+        if given < needed && self.reported_short.contains(&what) {
+            return false;
+        }
         if given < needed {
-            let place =
-                self.deck.header_span(item, usize::MAX).or_else(|| self.deck.word_span(item));
+            self.reported_short.push(what);
+            let place = self.length(name, usize::MAX);
             self.report(
                 Diagnostic::error(
                     "scene::short-array",
@@ -175,7 +202,7 @@ impl<'a> Reader<'a> {
                 .at(place)
                 .label(entries(given))
                 .expected(one_entry_each(needed, what))
-                .help("give the missing entries, or correct the count"),
+                .help(format!("give the missing entries, or correct the number of {what}")),
             );
             return false;
         }
@@ -192,6 +219,16 @@ impl<'a> Reader<'a> {
     pub fn integers(&self, name: &str, absent: i64) -> impl Fn(usize) -> i64 + use<'a> {
         let field = self.database.integers(name);
         move |i| field.map_or(absent, |f| f.get1(i))
+    }
+
+    /// Where the length of an array along an index stands; that of the last index for an index
+    /// beyond.
+    pub fn length(&self, name: &str, index: usize) -> Option<Span> {
+        let item = self.database.given(name)?;
+        let rank = self.deck.item(item)?.assignment()?.keyword.rank();
+        // arrays of one index have no order code before their length
+        let position = if rank > 1 { index.saturating_add(1).min(rank) } else { 0 };
+        self.deck.header_span(item, position).or_else(|| self.deck.word_span(item))
     }
 
     /// Where entry `i` of a one-dimensional array stands.
@@ -221,16 +258,15 @@ impl<'a> Reader<'a> {
         };
         if let Some(found) = Offenders::find(len, wrong) {
             let value = field.get1(found.first);
-            let relation = if strict { "above" } else { "of at least" };
+            let wanted =
+                if strict { format!("above {least}") } else { format!("of {least} or more") };
             self.report(
                 Diagnostic::error(
                     "scene::value-range",
-                    format!("{name}: {what} of set {} is {value}{}", found.first, found.more()),
+                    format!("{name}: the {what} of set {} is {value}{}", found.first, found.more()),
                 )
                 .at(self.entry(name, found.first))
-                .label(format!("{value}"))
-                .expected(format!("a {what} {relation} {least}"))
-                .help(format!("correct the {what} of set {}", found.first)),
+                .expected(format!("a {what} {wanted}")),
             );
         }
     }

@@ -1,8 +1,8 @@
 //! A scene changed by a later stage of its deck.
 
 use super::{
-    BuildOutcome, Profile, Reader, contact, control, geometry, insertion, joints, materials,
-    node_sets, nodes::to_i32, probes, unsupported,
+    BuildOutcome, Profile, Reader, contact, control, elements, geometry, insertion, joints,
+    materials, node_sets, nodes::to_i32, probes, unsupported,
 };
 use crate::scene::Scene;
 use nalgebra::Vector2;
@@ -73,6 +73,7 @@ fn update(
     if !reader.has_errors() {
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
+        insertion::check_use(reader, &scene);
         node_sets::check_use(reader, &scene);
         geometry::check(reader, &scene);
     }
@@ -134,9 +135,19 @@ fn update_nodes(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>
     }
 }
 
-fn update_elements(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>) {
+fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>) {
     let elements = &mut scene.elements;
-    replace(reader, "YDE/I1ELPR", &mut elements.property, named);
+    if named.contains("YDE/I1ELPR") {
+        replace(reader, "YDE/I1ELPR", &mut elements.property, named);
+        elements::check_properties(
+            reader,
+            elements.len(),
+            |e| i64::from(elements.property[e]),
+            |e| elements.nodes[e][3] >= 0,
+            scene.materials.len(),
+            scene.cohesive_laws.len(),
+        );
+    }
     replace(reader, "YDE/I1ELBE", &mut elements.contact_tag, named);
     if let Some(field) =
         reader.database.reals("YDE/D2ELST").filter(|_| named.contains("YDE/D2ELST"))

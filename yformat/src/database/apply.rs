@@ -104,6 +104,7 @@ impl Database {
                 self.put(keyword, slot);
             } else if let Some((old, true)) = old
                 && keyword.is_sized_by(size.name)
+                && !self.reported_sizes.contains(&(size.database, size.name))
                 && old.iter().zip(declared).any(|(&old, now)| old < now)
             {
                 let message = format!(
@@ -123,7 +124,7 @@ impl Database {
     /// Checks the lengths of an array against its declared ones; returns the keyword that it is
     /// stored under and the latter.
     fn check_array(
-        &self,
+        &mut self,
         deck: &Deck,
         index: usize,
         keyword: &'static Keyword,
@@ -152,6 +153,11 @@ impl Database {
         for (axis, extent) in target.extents.iter().enumerate() {
             let count = usize::try_from(header.counts()[axis]).unwrap_or(0);
             if count > declared[axis] {
+                if let Extent::Size(name) = *extent
+                    && !self.reported_sizes.insert((keyword.database, name))
+                {
+                    return (target, declared);
+                }
                 found.push(self.too_long(deck, index, keyword, axis, *extent, count));
                 return (target, declared);
             }

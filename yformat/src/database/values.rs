@@ -1,6 +1,6 @@
 //! What the program holds, by name.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 
 use super::field::Field;
 use crate::dialect::Dialect;
@@ -41,13 +41,16 @@ pub(super) enum Slot {
 pub struct Database {
     pub(super) dialect: Dialect,
     pub(super) slots: BTreeMap<(&'static str, &'static str), Slot>,
+    /// Size keywords that were reported as missing or too small: once is enough, however many
+    /// arrays they size.
+    pub(super) reported_sizes: BTreeSet<(&'static str, &'static str)>,
 }
 
 impl Database {
     /// What the program holds before it reads anything.
     #[must_use]
     pub fn new(dialect: Dialect) -> Self {
-        Database { dialect, slots: BTreeMap::new() }
+        Database { dialect, slots: BTreeMap::new(), reported_sizes: BTreeSet::new() }
     }
 
     /// The dialect whose keywords it knows.

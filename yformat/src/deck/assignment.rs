@@ -10,6 +10,9 @@ use crate::dialect::Dialect;
 use crate::keywords::{self, Adjustment, Keyword, NumberKind};
 use crate::source::{SourceId, Span};
 
+/// Announced values that are believed whatever the size of the file is.
+const ALWAYS_BELIEVED: u64 = 1000;
+
 /// An assignment as read.
 pub(super) struct Read {
     pub assignment: Assignment,
@@ -51,8 +54,11 @@ fn scalar<T: Number>(
     word: Span,
     wrap: fn(Option<T>) -> Value,
 ) -> Result<(Value, Option<Diagnostic>), Diagnostic> {
-    if let Found::Value(value) = cursor.number()? {
-        return Ok((wrap(Some(value)), None));
+    match cursor.number()? {
+        Found::Value(value) => return Ok((wrap(Some(value)), None)),
+        // what was swallowed is the reason why the value is missing
+        Found::Swallowed => return Ok((wrap(None), cursor.warnings.pop())),
+        Found::Nothing => {}
     }
     let name = cursor.keyword.path();
     let short = Diagnostic::warning(
@@ -72,11 +78,14 @@ fn array<T: Number>(
 ) -> Result<(Value, Option<Diagnostic>), Diagnostic> {
     let header = cursor.header()?;
     check_header(cursor, &header, word);
+    let expected = header.expected();
+    let header_end = cursor.at;
     let array = cursor.array::<T>(header)?;
-    let (given, expected) = (array.numbers().len(), header.expected());
+    let given = array.numbers().len();
     if given == 0 && expected > 0 {
         return Err(no_values(cursor, expected));
     }
+    refuse_endless(cursor, expected, header_end)?;
     if cursor.keyword.scratch_follows {
         skip_scratch_array(cursor)?;
     }
@@ -88,12 +97,33 @@ fn array<T: Number>(
         let message = format!(
             "{name} announces {expected} values and gives {given}: the last one is repeated"
         );
+        let missing = expected - given as u64;
+        let plural = if missing == 1 { "value is" } else { "values are" };
         Diagnostic::warning("deck::missing-values", message)
             .at(word)
-            .label(format!("{} values are missing", expected - given as u64))
+            .label(format!("{missing} {plural} missing"))
             .help("write all values, or correct the count")
     });
     Ok((wrap(array), short))
+}
+
+/// Missing values are taken to repeat the last one, but not more of them than the file has bytes:
+/// whoever asks for the array would run out of memory.
+fn refuse_endless(cursor: &Cursor<'_>, expected: u64, header_end: usize) -> Result<(), Diagnostic> {
+    let bytes = cursor.bytes.len() as u64;
+    if expected <= bytes.max(ALWAYS_BELIEVED) {
+        return Ok(());
+    }
+    let name = cursor.keyword.path();
+    let before = cursor.bytes.get(..header_end).unwrap_or_default();
+    let start = before.iter().rposition(|&b| is_space(b)).map_or(0, |at| at + 1);
+    Err(Diagnostic::error(
+        "deck::endless-array",
+        format!("{name} announces {expected} values, more than the whole file has characters"),
+    )
+    .at(cursor.span(start..header_end))
+    .label("the last count before the values")
+    .help("correct the count"))
 }
 
 fn check_header(cursor: &mut Cursor<'_>, header: &Header, word: Span) {
@@ -130,6 +160,9 @@ fn no_values(cursor: &Cursor<'_>, expected: u64) -> Diagnostic {
     let name = cursor.keyword.path();
     let next = cursor.next_word_span();
     let text = cursor.bytes.get(next.range()).unwrap_or_default();
+    if next.start == cursor.at && !text.is_empty() {
+        return super::unknown::glued(&name, true, cursor.bytes, next);
+    }
     let values = if expected == 1 { "1 value".to_owned() } else { format!("{expected} values") };
     let (code, message, label) = match text {
         [] => (
@@ -229,5 +262,5 @@ fn refuse_negative(cursor: &Cursor<'_>, value: &Value) -> Result<(), Diagnostic>
     let message = format!("{} must not be negative", cursor.keyword.path());
     Err(Diagnostic::error("deck::negative-parameter", message)
         .at(cursor.span(start..cursor.at))
-        .expected("0 or more"))
+        .expected("a positive number"))
 }

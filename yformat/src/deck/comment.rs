@@ -81,7 +81,8 @@ fn unclosed(open: Span, suspicious: Option<Span>) -> Diagnostic {
 }
 
 fn swallowing(near: Span, swallowed: usize) -> Diagnostic {
-    let message = format!("the comment does not end here and swallows {swallowed} keywords");
+    let plural = if swallowed == 1 { "a keyword" } else { "keywords" };
+    let message = format!("the comment does not end here and swallows {plural}");
     Diagnostic::warning("deck::swallowed-keywords", message)
         .at(near)
         .label("`*/` closes a comment only at the beginning of a word")

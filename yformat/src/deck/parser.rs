@@ -135,12 +135,15 @@ impl Parser {
         word: Span,
         loader: &mut dyn IncludeLoader,
     ) -> Result<(), Diagnostic> {
-        let failed = |code, message: &str, span| Err(Diagnostic::error(code, message).at(span));
+        let failed = |code, message: &str, span, help: &str| {
+            Err(Diagnostic::error(code, message).at(span).help(help))
+        };
         let Some(name) = next_word(bytes, word.end).filter(|name| name.terminated) else {
             return failed(
                 "deck::include-without-name",
                 "no file name with white space behind it follows",
                 word,
+                "write the name of a file, without blanks, and end the line",
             );
         };
         let span = Span::new(word.source, name.range);
@@ -152,6 +155,7 @@ impl Parser {
                 "deck::include-too-deep",
                 "too many files include each other: nine levels are allowed",
                 span,
+                "does a file include itself, directly or through another one?",
             );
         }
         self.includes += 1;
@@ -160,15 +164,21 @@ impl Parser {
                 "deck::too-many-includes",
                 "the deck includes more than 10000 files",
                 span,
+                "put the data into fewer files",
             );
         }
         let file = self.sources.text(span).into_owned();
         let included = loader.load(&file).map_err(|reason| {
+            let reason = match reason.kind() {
+                std::io::ErrorKind::NotFound => "there is no such file".to_owned(),
+                _ => reason.to_string(),
+            };
             Diagnostic::error(
                 "deck::include-missing",
                 format!("`{file}` cannot be included: {reason}"),
             )
             .at(span)
+            .help("files are looked for in the working directory, then beside the deck")
         })?;
         self.push(ItemKind::Include(file.clone()), word, span.end);
         let source = self.sources.add(file, included);

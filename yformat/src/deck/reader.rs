@@ -5,7 +5,7 @@ use std::path::Path;
 
 use super::include::{FolderIncludes, IncludeLoader, NoIncludes};
 use super::parser::Parser;
-use super::{Deck, ItemKind};
+use super::{Deck, Item, ItemKind, TailReason};
 use crate::diagnostic::Diagnostic;
 use crate::dialect::{Dialect, detect};
 
@@ -122,7 +122,14 @@ fn parse(
             format!("nothing in this deck tells its dialect, it is read as a {dialect} deck");
         diagnostics.insert(0, Diagnostic::note("deck::undecided-dialect", message));
     }
-    if !has_error && !deck.items().iter().any(|item| item.kind() == &ItemKind::Run) {
+    let is_blank = |item: &Item| item.kind() == &ItemKind::Tail(TailReason::WhiteSpace);
+    if deck.items().iter().all(is_blank) {
+        diagnostics.push(
+            Diagnostic::error("deck::empty", "the file is empty")
+                .at(deck.sources().start())
+                .expected("a deck: keywords, values and `$YDOIT`"),
+        );
+    } else if !has_error && !deck.items().iter().any(|item| item.kind() == &ItemKind::Run) {
         diagnostics.push(
             Diagnostic::warning("deck::no-run", "the deck never asks to run: no `$YDOIT` is read")
                 .help("write `$YDOIT` after the data and end its line"),

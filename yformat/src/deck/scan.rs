@@ -72,20 +72,26 @@ impl Cursor<'_> {
     fn refuse(&self, refusal: Refusal, span: Span) -> Diagnostic {
         let name = self.keyword.path();
         match refusal {
-            Refusal::NotFinite => {
-                Diagnostic::error("deck::not-a-number", format!("{name} is given no finite number"))
-                    .label("not a finite number")
-            }
+            Refusal::NotFinite => Diagnostic::error(
+                "deck::not-a-number",
+                format!("{name} is given no finite number"),
+            )
+            .label("not a finite number")
+            .help(
+                "write the number that is meant; a computation that made this deck may have failed",
+            ),
             Refusal::Hexadecimal => Diagnostic::error(
                 "deck::not-a-number",
                 format!("{name} is given a hexadecimal number"),
             )
-            .label("hexadecimal: only some of the original programs can read it"),
+            .label("hexadecimal: only some of the original programs can read it")
+            .help("write it as a decimal number"),
             Refusal::OutOfRange => Diagnostic::error(
                 "deck::number-out-of-range",
                 format!("{name} is given a number that is too large"),
             )
-            .label("cannot be stored"),
+            .label("cannot be stored")
+            .help("integers go up to 9.2e18, reals up to 1.7e308"),
         }
         .at(span)
         .expected("a decimal number")
@@ -113,6 +119,10 @@ impl Cursor<'_> {
 
     fn count(&mut self, what: &str) -> Result<i64, Diagnostic> {
         match self.number::<i64>()? {
+            Found::Value(_) if self.bytes.get(self.at) == Some(&b'.') => {
+                let rest = self.next_word_span();
+                Err(super::unknown::glued(&self.keyword.path(), true, self.bytes, rest))
+            }
             Found::Value(count) => Ok(count),
             Found::Nothing | Found::Swallowed => self.unreadable(what),
         }

@@ -31,9 +31,17 @@ pub(super) fn word(dialect: Dialect, bytes: &[u8], word: Span, before: &Before<'
         .at(Span { end: 3, ..word })
         .help("save it as UTF-8 without byte order mark, or as ASCII");
     }
+    if word.start == 0 && (text.starts_with(b"\xFF\xFE") || text.starts_with(b"\xFE\xFF")) {
+        return Diagnostic::error("deck::byte-order-mark", "the file is encoded as UTF-16")
+            .at(Span { end: 2, ..word })
+            .expected("one byte for each character")
+            .help("save it as ASCII, or as UTF-8 without byte order mark");
+    }
     if let Some(assignment) = before.assignment {
         if before.end == Some(word.start) && word.start > 0 {
-            return glued(assignment, bytes, word);
+            let wants_integer =
+                assignment.keyword.number == NumberKind::Integer || ends_in_header(assignment);
+            return glued(&assignment.keyword.path(), wants_integer, bytes, word);
         }
         if let (Some(comment), true) = (before.comment, before.short) {
             let message =
@@ -44,9 +52,14 @@ pub(super) fn word(dialect: Dialect, bytes: &[u8], word: Span, before: &Before<'
                 .help("move the comment before the keyword or behind its last value");
         }
         if before.short {
-            return not_a_number(assignment, text, word);
+            return match assignment.value {
+                Value::Integer(None) | Value::Real(None) if is_number(text) => {
+                    parted_sign(assignment, text, word)
+                }
+                _ => not_a_number(assignment, text, word),
+            };
         }
-        if matches!(f64::scan(text, 0).scan, Scan::Value(_)) {
+        if is_number(text) {
             return surplus(assignment, bytes, word);
         }
     }
@@ -54,13 +67,10 @@ pub(super) fn word(dialect: Dialect, bytes: &[u8], word: Span, before: &Before<'
 }
 
 /// `2e4` for an integer, `1.0D3`, `1,5`: the beginning was read as a number, the rest is left.
-fn glued(assignment: &Assignment, bytes: &[u8], rest: Span) -> Diagnostic {
+pub(super) fn glued(path: &str, wants_integer: bool, bytes: &[u8], rest: Span) -> Diagnostic {
     let start = bytes[..rest.start].iter().rposition(|&b| is_space(b)).map_or(0, |at| at + 1);
     let whole = String::from_utf8_lossy(&bytes[start..rest.end]).into_owned();
     let read = String::from_utf8_lossy(&bytes[start..rest.start]).into_owned();
-    let path = assignment.keyword.path();
-    let wants_integer =
-        assignment.keyword.number == NumberKind::Integer || ends_in_header(assignment);
     let what = if wants_integer { "an integer" } else { "a real" };
     let error = Diagnostic::error(
         "deck::glued-text",
@@ -90,6 +100,20 @@ fn mended(whole: &str, wants_integer: bool) -> Option<String> {
     (value.fract() == 0.0 && value.abs() < 1e15).then(|| format!("{value:.0}"))
 }
 
+fn is_number(text: &[u8]) -> bool {
+    matches!(f64::scan(text, 0).scan, Scan::Value(_))
+}
+
+/// `- 5`: the scanner takes the sign and fails.
+fn parted_sign(assignment: &Assignment, text: &[u8], word: Span) -> Diagnostic {
+    let path = assignment.keyword.path();
+    let shown = String::from_utf8_lossy(text);
+    Diagnostic::error("deck::lone-sign", format!("the sign before `{shown}` stands apart from it"))
+        .at(word)
+        .label(format!("not read for {path}"))
+        .help("write the number without blank after its sign")
+}
+
 fn not_a_number(assignment: &Assignment, text: &[u8], word: Span) -> Diagnostic {
     let path = assignment.keyword.path();
     let shown = String::from_utf8_lossy(text).into_owned();
@@ -99,10 +123,14 @@ fn not_a_number(assignment: &Assignment, text: &[u8], word: Span) -> Diagnostic 
         Value::Integer(_) | Value::Real(_) => (0, 1),
     };
     let message = format!("`{shown}` is no value for {path}");
-    let expected = format!("a number: value {} of {announced}", given + 1);
+    let kind = match assignment.keyword.number {
+        NumberKind::Integer => "an integer",
+        NumberKind::Real => "a number",
+    };
+    let expected = format!("{kind}: value {} of {announced}", given + 1);
     Diagnostic::error("deck::not-a-number", message)
         .at(word)
-        .label("not a number")
+        .label(format!("not {kind}"))
         .expected(expected)
 }
 
@@ -129,7 +157,7 @@ fn surplus(assignment: &Assignment, bytes: &[u8], word: Span) -> Diagnostic {
             "deck::surplus-values",
             format!("{path} takes one value, more numbers follow"),
         );
-        return error.at(word).label("not read").expected("a keyword");
+        return error.at(word).label("one too many").expected("a keyword").help("take it out");
     };
     let taken = header.expected();
     let found = taken.saturating_add(more as u64);
@@ -147,12 +175,21 @@ fn surplus(assignment: &Assignment, bytes: &[u8], word: Span) -> Diagnostic {
 }
 
 fn plain(dialect: Dialect, text: &[u8], word: Span) -> Diagnostic {
-    let shown = String::from_utf8_lossy(text).into_owned();
-    let error = Diagnostic::error("deck::unknown-word", format!("unknown name `{shown}`")).at(word);
-    let error =
-        error.expected("a keyword (`/YD/...`), a comment (`/* ... */`), `$YDOIT` or `$YSTOP`");
+    let shown = crate::source::decode(text).into_owned();
+    let expected = "a keyword (`/YD/...`), a comment (`/* ... */`), `$YDOIT` or `$YSTOP`";
+    if shown.contains(char::is_control) {
+        return Diagnostic::error("deck::not-text", "these bytes are no text")
+            .at(word)
+            .expected(expected)
+            .help("is this the right file?");
+    }
+    let error = Diagnostic::error("deck::unknown-word", format!("unknown name `{shown}`"))
+        .at(word)
+        .expected(expected);
     if text.starts_with(b"*/") {
-        return error.label("closes no comment");
+        return error
+            .label("closes no comment")
+            .help("take it out: comments end at the first word that begins with `*/`");
     }
     if text.starts_with(b"$YINCL") {
         return error.help("only the split dialect can include files");
@@ -161,7 +198,7 @@ fn plain(dialect: Dialect, text: &[u8], word: Span) -> Diagnostic {
         ["$YDOIT", "$YSTOP"].into_iter().find(|command| shown.to_uppercase().starts_with(command));
     match command.map(str::to_owned).or_else(|| keywords::similar(dialect, &shown)) {
         Some(meant) => error.help(format!("did you mean {meant}?")),
-        None => error,
+        None => error.help("take it out, or make it a comment: `/* words */`"),
     }
 }
 
@@ -191,8 +228,9 @@ pub(super) fn database(dialect: Dialect, text: &[u8], word: Span) -> Diagnostic 
 fn suggested(error: Diagnostic, dialect: Dialect, shown: &str, text: &[u8]) -> Diagnostic {
     let others = keywords::dialects_knowing(text);
     if !others.is_empty() {
+        let plural = if others.len() == 1 { "dialect" } else { "dialects" };
         return error.help(format!(
-            "it belongs to the {} dialect; this deck is read as {dialect}",
+            "it belongs to the {} {plural}; this deck is read as {dialect}",
             others.join(" and ")
         ));
     }

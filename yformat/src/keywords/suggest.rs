@@ -11,20 +11,24 @@ use crate::dialect::Dialect;
 ///
 /// assert_eq!(similar(Dialect::Split, "/yd/ydc/mcstep").as_deref(), Some("/YD/YDC/MCSTEP"));
 /// assert_eq!(similar(Dialect::Split, "/YD/YDC/MCSTPE").as_deref(), Some("/YD/YDC/MCSTEP"));
+/// assert_eq!(similar(Dialect::Split, "$YDOTI").as_deref(), Some("$YDOIT"));
 /// assert_eq!(similar(Dialect::Split, "bonjour"), None);
 /// ```
 #[must_use]
 pub fn similar(dialect: Dialect, word: &str) -> Option<String> {
     // Words longer than any keyword path are not misspelt keywords, and the distance costs their
     // length.
-    if word.len() > 40 || !word.contains('/') {
+    if word.len() > 40 || !word.contains(['/', '$']) {
         return None;
     }
     let asked = word.to_uppercase();
     let paths = tables(dialect).iter().flat_map(|table| table.keywords).map(super::Keyword::path);
-    let near =
-        paths.map(|path| (distance(&asked, &path), path)).min_by_key(|(distance, _)| *distance);
-    near.filter(|(distance, _)| *distance <= 2).map(|(_, path)| path)
+    let commands = COMMANDS.into_iter().map(str::to_owned);
+    let near = paths
+        .chain(commands)
+        .map(|known| (distance(&asked, &known), known))
+        .min_by_key(|(distance, _)| *distance);
+    near.filter(|(distance, _)| *distance <= 2).map(|(_, known)| known)
 }
 
 /// The dialects that know a word, as their users name them.
@@ -44,6 +48,8 @@ pub fn dialects_knowing(word: &[u8]) -> Vec<&'static str> {
     }
     names
 }
+
+const COMMANDS: [&str; 3] = ["$YDOIT", "$YSTOP", "$YINCL"];
 
 /// Keywords of the program of Munjiza's book that its successors dropped.
 const BOOK_ONLY: [&[u8]; 2] = [b"/YD/YDP/D1PEFS", b"/YD/YDP/D1PEGF"];

@@ -1,0 +1,191 @@
+//! Whatever a deck file holds: reading it ends without panic and without allocating much, and if
+//! it can be run, so do its first steps, with all output files.
+//!
+//! Decks are sound ones cut short, or with words replaced by other words and numbers.
+
+mod support;
+
+use proptest::prelude::*;
+use std::{
+    alloc::{GlobalAlloc, Layout, System},
+    path::Path,
+    sync::atomic::{AtomicUsize, Ordering},
+};
+use support::spoilt_deck;
+use tempfile::TempDir;
+use yformat::dialect::Dialect;
+use ypsilon::{
+    scene::Profile,
+    session::{Format, RunOptions, Silent, load, run},
+    simulation::SolverOptions,
+};
+
+/// Most bytes that one allocation may take for decks of a few kilobytes.
+const LARGEST_ALLOCATION: usize = 64 << 20;
+
+/// The system's allocator, which remembers the largest piece that anybody asked for.
+struct Watched;
+
+static LARGEST: AtomicUsize = AtomicUsize::new(0);
+
+// SAFETY: all calls are handed to the system's allocator as they are.
+unsafe impl GlobalAlloc for Watched {
+    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
+        LARGEST.fetch_max(layout.size(), Ordering::Relaxed);
+        // SAFETY: the caller keeps the allocator's contract.
+        unsafe { System.alloc(layout) }
+    }
+
+    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
+        // SAFETY: the caller keeps the allocator's contract.
+        unsafe { System.dealloc(pointer, layout) }
+    }
+}
+
+#[global_allocator]
+static ALLOCATOR: Watched = Watched;
+
+/// Loads a deck and runs up to three steps of it. Whether it could be run.
+fn exercise(deck: &[u8]) -> bool {
+    let folder = TempDir::new().expect("a temporary folder");
+    let path = spoilt_deck::write(folder.path(), "deck.y", deck);
+    let recognised = load_and_run(&path, None);
+    let forced = load_and_run(&path, Some(Dialect::Split));
+    let largest = LARGEST.load(Ordering::Relaxed);
+    assert!(largest <= LARGEST_ALLOCATION, "somebody asked for {largest} bytes");
+    recognised || forced
+}
+
+fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
+    let Ok(loaded) = load(path, dialect, Profile::default(), SolverOptions::default()) else {
+        return false;
+    };
+    let runs = loaded.simulation.is_some();
+    let options = RunOptions {
+        deck: path.to_path_buf(),
+        folder: path.with_file_name("out"),
+        formats: vec![Format::D3plot, Format::Yh, Format::Vtu, Format::Json],
+        states: vec![0, 1, 3],
+        steps: Some(3),
+        legacy_d3plot: false,
+        profile: Profile::default(),
+    };
+    // motion may become unstable and later stages may be wrong: that is no panic
+    let _ = run(loaded, &options, &mut Silent);
+    runs
+}
+
+/// Sound decks: the base of the bad ones, two of the original's reference cases, and one of two
+/// stages.
+const DECKS: [&str; 4] = [
+    include_str!("bad_decks/base.y"),
+    include_str!("data/split2d/e2_tension_cyc/e2_tension_cyc.y"),
+    include_str!("data/split2d/x_mesh_31/x_mesh_31.y"),
+    include_str!("../yformat/tests/data/probes/p_ydoit2.y"),
+];
+
+/// What replaces words.
+fn replacement() -> impl Strategy<Value = String> {
+    let words = [
+        "0",
+        "1",
+        "-1",
+        "2",
+        "3",
+        "4",
+        "7",
+        "-2",
+        "21",
+        "12",
+        "31",
+        "231",
+        "100",
+        "-1000",
+        "1e-300",
+        "1e-12",
+        "0.5",
+        "-0.5",
+        "1e8",
+        "-1e8",
+        "1e30",
+        "1e300",
+        "-1e300",
+        "4294967296",
+        "1000000000000",
+        "9223372036854775807",
+        "-9223372036854775808",
+        "nan",
+        ".",
+        "-",
+        "1e",
+        "2e4",
+        "1,5",
+        "*/",
+        "/*",
+        "$YDOIT",
+        "$YSTOP",
+        "$YINCL",
+        "/YD/YDC/MCSTEP",
+        "/YD/YDN/NNOPO",
+        "/YD/YDE/MELEM",
+        "/YD/YDPE/MPROP",
+        "/YD/YDI/MICOUP",
+        "brick",
+        "\u{e9}",
+    ];
+    prop_oneof![
+        4 => prop::sample::select(words.to_vec()).prop_map(str::to_owned),
+        1 => any::<i64>().prop_map(|n| n.to_string()),
+        1 => (-400i32..400).prop_map(|n| n.to_string()),
+        1 => any::<f64>().prop_map(|x| format!("{x:e}")),
+    ]
+}
+
+/// A deck with the words at some places replaced.
+fn replaced(deck: &str, changes: &[(prop::sample::Index, String)]) -> String {
+    let mut words: Vec<&str> = deck.split_inclusive(char::is_whitespace).collect();
+    for (place, word) in changes {
+        let at = place.index(words.len());
+        words[at] = word;
+        words.insert(at + 1, " ");
+    }
+    words.concat()
+}
+
+#[test]
+fn the_decks_are_sound() {
+    for deck in DECKS {
+        assert!(exercise(deck.as_bytes()));
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { failure_persistence: None, ..ProptestConfig::default() })]
+
+    #[test]
+    fn truncated_decks(deck in 0..DECKS.len(), length in any::<prop::sample::Index>(), run in any::<bool>()) {
+        let mut bytes = DECKS[deck].as_bytes()[..length.index(DECKS[deck].len())].to_vec();
+        if run {
+            bytes.extend(b"\n$YDOIT\n");
+        }
+        exercise(&bytes);
+    }
+
+    #[test]
+    fn one_word_replaced(deck in 0..DECKS.len(), place in any::<prop::sample::Index>(), word in replacement()) {
+        exercise(replaced(DECKS[deck], &[(place, word)]).as_bytes());
+    }
+
+    #[test]
+    fn several_words_replaced(
+        deck in 0..DECKS.len(),
+        changes in prop::collection::vec((any::<prop::sample::Index>(), replacement()), 2..5),
+    ) {
+        exercise(replaced(DECKS[deck], &changes).as_bytes());
+    }
+
+    #[test]
+    fn random_bytes(bytes in prop::collection::vec(any::<u8>(), 0..400)) {
+        exercise(&bytes);
+    }
+}
