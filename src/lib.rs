@@ -2,7 +2,7 @@
 //!
 //! Data flows one way: deck text → [`yformat`] → [`scene::Scene`] →
 //! [`simulation::Simulation`] → [`output`]. The architecture is described in
-//! `docs/architecture.md`.
+//! `docs/src/architecture.md`.
 //!
 //! All quantities are in one consistent unit system chosen by the deck (SI in
 //! every example); 2D bodies have unit thickness.

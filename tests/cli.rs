@@ -228,7 +228,9 @@ fn a_result_that_cannot_take_its_name_ends_with_code_3() {
     let finished = work.ypsilon(&["deck.y"]);
     assert_eq!(finished.code, Some(3));
     assert!(finished.stderr.contains("deck.yh0"), "{}", finished.stderr);
-    assert!(FamilyReader::open(&work.path("deck")).is_ok(), "the other results are complete");
+    // said before hours are spent, not after them
+    assert!(finished.stderr.contains("there is a folder of this name"), "{}", finished.stderr);
+    assert_eq!(work.files("."), names(&["deck.y", "deck.yh0"]));
 }
 
 #[test]

@@ -8,6 +8,7 @@ mod support;
 use proptest::prelude::*;
 use std::{
     alloc::{GlobalAlloc, Layout, System},
+    fs,
     path::Path,
     sync::atomic::{AtomicUsize, Ordering},
 };
@@ -45,12 +46,19 @@ unsafe impl GlobalAlloc for Watched {
 #[global_allocator]
 static ALLOCATOR: Watched = Watched;
 
+/// Most bytes that a result file of three steps of such a deck may have.
+const LARGEST_FILE: u64 = 10 << 20;
+
 /// Loads a deck and runs up to three steps of it. Whether it could be run.
 fn exercise(deck: &[u8]) -> bool {
     let folder = TempDir::new().expect("a temporary folder");
     let path = spoilt_deck::write(folder.path(), "deck.y", deck);
     let recognised = load_and_run(&path, None);
     let forced = load_and_run(&path, Some(Dialect::Split));
+    for file in fs::read_dir(folder.path().join("out")).into_iter().flatten().flatten() {
+        let size = file.metadata().map_or(0, |metadata| metadata.len());
+        assert!(size <= LARGEST_FILE, "{file:?} has {size} bytes");
+    }
     let largest = LARGEST.load(Ordering::Relaxed);
     assert!(largest <= LARGEST_ALLOCATION, "somebody asked for {largest} bytes");
     recognised || forced
@@ -156,6 +164,25 @@ fn replaced(deck: &str, changes: &[(prop::sample::Index, String)]) -> String {
 fn the_decks_are_sound() {
     for deck in DECKS {
         assert!(exercise(deck.as_bytes()));
+    }
+}
+
+#[test]
+fn numbers_beyond_all_bounds() {
+    for (old, new) in [
+        ("MELNO 4", "MELNO 100000000"),
+        ("MELST 1", "MELST 1000000000000"),
+        ("MICOUP 40", "MICOUP 9000000000000000000"),
+        ("MELEM 7", "MELEM 1000000000000"),
+        ("MNOPO 10", "MNOPO 1000000000000"),
+        ("21 3 1\n0 0 0\n", "21 3 2\n2147483647 2147483647 0\n0 0 0\n"),
+        ("MCSTEP 20", "MCSTEP 9000000000000000000"),
+        ("ICOUTF 10", "ICOUTF 9000000000000000000"),
+        ("DIEDI 200", "DIEDI 1e300"),
+        ("DIEZON 0.1", "DIEZON 1e300"),
+    ] {
+        let deck = spoilt_deck::edited(&[(old, new)]).replace("MPMROW 1", "MPMROW 2");
+        assert!(exercise(deck.as_bytes()), "{new} can be run");
     }
 }
 

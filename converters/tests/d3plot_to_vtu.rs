@@ -77,7 +77,7 @@ fn a_plane_family_becomes_triangles_and_joints() {
     assert_eq!(connectivity[..], [0.0, 1.0, 2.0, 3.0, 4.0, 5.0]);
     let property = &second.array("CellData", "material property ID").values;
     assert_eq!(property[..], [0.0, 1.0]);
-    let stress = &second.array("CellData", "stress").values;
+    let stress = &second.array("CellData", "Cauchy stress").values;
     assert_eq!(stress[6..], [0.0, 0.0, 0.0, 2.0, 0.0, 0.0]);
     let mises = &second.array("CellData", "von Mises stress").values;
     assert!((mises[0] - 13.0_f64.sqrt()).abs() < 1e-14);
@@ -145,7 +145,10 @@ fn a_spatial_family_becomes_tetrahedra_and_wedges() {
     assert_eq!(solids.array("Cells", "types").values, [10.0, 12.0]);
     assert_eq!(solids.array("Cells", "offsets").values, [4.0, 12.0]);
     assert_eq!(solids.array("PointData", "joint force").values[..3], [1.0, 2.0, 3.0]);
-    assert_eq!(solids.array("CellData", "stress").values[6..], [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    assert_eq!(
+        solids.array("CellData", "Cauchy stress").values[6..],
+        [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]
+    );
     let joints = read("pair_joints_0.vtu");
     assert_eq!(joints.array("Cells", "types").values, [13.0]);
     let connectivity = &joints.array("Cells", "connectivity").values;

@@ -13,6 +13,7 @@ use std::{
     time::Duration,
 };
 use yformat::{
+    c_format::Exponential,
     diagnostic::{Diagnostic, Severity},
     source::SourceMap,
 };
@@ -93,8 +94,8 @@ impl Observer for Screen {
             self.progress(progress);
         } else {
             say(&format!(
-                "{row}  {:15.7e} {:11.1} {:>11}",
-                progress.kinetic_energy,
+                "{row}  {} {:11.1} {:>11}",
+                Exponential::new(7).width(15).format(progress.kinetic_energy),
                 rate(progress),
                 format!("{:.0} s", time_left(progress).as_secs_f64())
             ));
@@ -137,7 +138,8 @@ impl Observer for Screen {
             summary.triangle_steps_per_second / 1e6
         ));
         if summary.broken_joints > 0 {
-            say(&format!("{} joints have failed", summary.broken_joints));
+            let plural = if summary.broken_joints == 1 { "joint has" } else { "joints have" };
+            say(&format!("{} {plural} failed", summary.broken_joints));
         }
         let more = summary.files.len().saturating_sub(1);
         if let Some(file) = summary.files.first() {

@@ -12,6 +12,9 @@ use crate::{
     scene::{Elements, Material, Nodes},
 };
 
+/// Cells farther out than this count as this one, so that their neighbours have numbers, too.
+const OUTERMOST_CELL: f64 = 4e18;
+
 /// Bounding circle of an element that takes part.
 #[derive(Debug, Clone, Copy)]
 struct Circle {
@@ -95,7 +98,8 @@ impl Detector {
         let width = 2.0 * (largest + buffer);
         for circle in &mut self.circles {
             // truncation toward zero, so that the cells at the axes are twice as wide
-            circle.cell = [(circle.centre.x / width) as i64, (circle.centre.y / width) as i64];
+            let cell = |x: f64| (x / width).clamp(-OUTERMOST_CELL, OUTERMOST_CELL) as i64;
+            circle.cell = [cell(circle.centre.x), cell(circle.centre.y)];
         }
         self.circles.sort_unstable_by_key(|c| (c.cell[1], c.cell[0], std::cmp::Reverse(c.element)));
         self.rows.clear();

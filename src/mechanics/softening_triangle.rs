@@ -40,10 +40,16 @@ pub fn soften(damage: &mut f64, stretch: f64, softening_stretch: f64, shrinkage:
         if driven > *damage {
             *damage = driven;
         }
-        Softening { loss: (*damage * *damage * *damage).min(1.0), mass_factor: 1.0 }
+        Softening { loss: loss(*damage), mass_factor: 1.0 }
     } else {
         Softening { loss: 0.0, mass_factor: 1.0 / (shrinkage * shrinkage) }
     }
+}
+
+/// Share of the stiffness that a damage takes; none from a detached triangle.
+#[must_use]
+pub fn loss(damage: f64) -> f64 {
+    if damage > -TOLERANCE { (damage * damage * damage).min(1.0) } else { 0.0 }
 }
 
 /// Cauchy stress, Pa. In extension the volumetric part lacks the factor ½ of

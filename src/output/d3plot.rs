@@ -2,7 +2,7 @@
 
 use super::{
     OutputError, OutputNames, ResultWriter,
-    elements::{is_joint, material_number, shown_elements},
+    elements::{is_joint, material_number, original_material_number, shown_elements},
 };
 use crate::simulation::Simulation;
 use std::path::PathBuf;
@@ -52,7 +52,7 @@ impl D3plotOutput {
             control = control.legacy();
         }
         let shells = elements.iter().map(|&e| {
-            let material = material_number(scene, e);
+            let material = original_material_number(simulation, e);
             let node = |i: usize| scene.elements.nodes[e][i] as u32;
             if is_joint(scene, e) {
                 Shell::joint([0, 1, 2, 3].map(node), material)

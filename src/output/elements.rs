@@ -1,6 +1,9 @@
 //! Which elements a d3plot file shows, and as which material.
 
-use crate::scene::{BROKEN_JOINT, Scene};
+use crate::{
+    scene::{BROKEN_JOINT, Scene},
+    simulation::Simulation,
+};
 
 /// Elements of a d3plot family: chosen at the first output, kept to the end.
 ///
@@ -37,7 +40,22 @@ pub fn material_number(scene: &Scene, element: usize) -> i32 {
     if property < materials {
         return property + 1;
     }
-    let set = property - materials;
+    material_of_joint_set(scene, property - materials)
+}
+
+/// Material number of an element for the connectivity, where a joint that has
+/// failed already keeps the material of its joint set.
+#[must_use]
+pub fn original_material_number(simulation: &Simulation, element: usize) -> i32 {
+    let scene = simulation.scene();
+    if scene.elements.property[element] == BROKEN_JOINT {
+        let failure = simulation.failures().iter().find(|f| f.element == element);
+        return material_of_joint_set(scene, failure.map_or(0, |f| f.law as i32));
+    }
+    material_number(scene, element)
+}
+
+fn material_of_joint_set(scene: &Scene, set: i32) -> i32 {
     let pairs = scene.insertion.iter().flat_map(|insertion| &insertion.pairs);
     let row = pairs.into_iter().find(|pair| pair.joint_set == set);
     row.map_or(set, |pair| pair.materials[0] + 1)

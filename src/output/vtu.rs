@@ -6,7 +6,8 @@
 
 use super::{OutputError, OutputNames, ResultWriter, bodies::body_of_elements};
 use crate::{
-    mechanics::{Vec2, triangle},
+    mechanics::{Vec2, softening_triangle, triangle},
+    scene::ElementKind,
     simulation::{JointView, Simulation, joint_views},
 };
 use std::path::PathBuf;
@@ -129,8 +130,8 @@ fn body_grid(simulation: &Simulation) -> UnstructuredGrid {
     }
 }
 
-/// Cauchy stress of a triangle. The law is one of plane strain, so that
-/// σzz = (λ/2)(J − 1/J) is not zero; the original's files leave it out.
+/// Cauchy stress of a triangle. The laws are ones of plane strain, so that σzz,
+/// the volumetric part of the law, is not zero; the original's files leave it out.
 fn stress(simulation: &Simulation, element: usize) -> SymmetricTensor {
     let s = &simulation.stresses()[element];
     let scene = simulation.scene();
@@ -141,7 +142,18 @@ fn stress(simulation: &Simulation, element: usize) -> SymmetricTensor {
         triangle::double_area(&[a, b, c])
     };
     let ratio = area(&scene.nodes.current) / area(&scene.nodes.initial);
-    let zz = material.map_or(0.0, |m| 0.5 * m.lame_lambda * (ratio - 1.0 / ratio));
+    let zz = material.map_or(0.0, |m| {
+        let volumetric = m.lame_lambda * (ratio - 1.0 / ratio);
+        match m.kind {
+            ElementKind::ElasticTriangle => 0.5 * volumetric,
+            ElementKind::SofteningTriangle if ratio < 1.0 => 0.5 * volumetric,
+            ElementKind::SofteningTriangle => {
+                let damage = scene.elements.state[m.damage_row as usize][element];
+                (1.0 - softening_triangle::loss(damage)) * volumetric
+            }
+            ElementKind::RigidTriangle | ElementKind::Inert(_) => 0.0,
+        }
+    });
     plane(s[(0, 0)], s[(1, 1)], zz, s[(0, 1)])
 }
 

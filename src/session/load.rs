@@ -98,8 +98,22 @@ pub fn load(
         findings.push(capacity_finding(&deck, &database, &error, room));
         return fault(findings);
     }
+    if simulation.insertion_report().is_some_and(|report| report.skipped_combination) {
+        findings.push(skipped_record(&deck, &database));
+    }
     let findings = findings.into_iter().map(|f| f.located(sources)).collect();
     Ok(LoadedDeck { simulation: Some(simulation), database, stages, findings, deck })
+}
+
+/// The finding that a record of the meshing table does nothing.
+fn skipped_record(deck: &Deck, database: &Database) -> Diagnostic {
+    let place = database.given("YDPM/I2PMSET").and_then(|item| deck.word_span(item));
+    Diagnostic::warning(
+        "scene::mesh-record",
+        "a record of I2PMSET does nothing: elements of its last material cannot be meshed",
+    )
+    .at(place)
+    .expected("elastic (1) or rigid (2) triangles as the last material of each record")
 }
 
 /// What the deck does not give has no place: it is missed at the stage's `$YDOIT`.

@@ -90,6 +90,7 @@ pub fn run(
 ) -> Result<RunSummary, RunError> {
     let names = OutputNames::new(&options.deck, &options.folder);
     std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
+    check_names(&names)?;
     let mut log = RunTable::create(&names.log())?;
     observer.findings(&loaded.findings, loaded.deck.sources());
     let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
@@ -323,6 +324,17 @@ fn check_stability(progress: &Progress) -> Result<(), RunError> {
         return Ok(());
     }
     Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
+}
+
+/// Results cannot take the place of a folder: better said before the run than after it.
+fn check_names(names: &OutputNames) -> Result<(), OutputError> {
+    for path in [names.d3plot(), names.pvd(), names.history(0), names.log()] {
+        if path.is_dir() {
+            let source = std::io::Error::other("there is a folder of this name");
+            return Err(OutputError::Io { path, source });
+        }
+    }
+    Ok(())
 }
 
 fn write_summary(path: PathBuf, summary: &RunSummary) -> Result<PathBuf, OutputError> {

@@ -45,6 +45,7 @@ pub struct Simulation {
     scene: Scene,
     plan: Plan,
     contact: Option<Contact>,
+    options: SolverOptions,
     step: u64,
     time: f64,
     /// Nodal forces of the last evaluation, N.
@@ -83,6 +84,7 @@ impl Simulation {
             probe_values: scene.probes.iter().map(|p| p.initial_value).collect(),
             scene,
             plan: Plan::default(),
+            options,
             force: Vec::new(),
             mass: Vec::new(),
             stress: Vec::new(),
@@ -136,7 +138,9 @@ impl Simulation {
                 contact.restate(settings.clone(), travel);
                 Some(contact)
             }
-            (None, Some(settings)) => Some(Contact::new(settings.clone(), true)),
+            (None, Some(settings)) => {
+                Some(Contact::new(settings.clone(), self.options.skip_separated_couples))
+            }
             (_, None) => None,
         };
         for (value, (old, new)) in

@@ -73,7 +73,7 @@ fn stress_arrays(shown: &[&Element], layout: &StateLayout, state: &State) -> Vec
         DataArray::scalar("principal stress 1", column(0)),
         DataArray::scalar("principal stress 2", column(1)),
         DataArray::scalar("principal stress 3", column(2)),
-        DataArray::symmetric_tensor("stress", stresses),
+        DataArray::symmetric_tensor("Cauchy stress", stresses),
     ]
 }
 
