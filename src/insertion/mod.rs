@@ -151,7 +151,7 @@ fn execute_pass(
             .last()
             .and_then(|&m| materials.get(m))
             .is_some_and(|m| m.kind.takes_part_in_contact());
-        report.skipped_combination |= !meshable;
+        report.skipped_combination |= !meshable && digit > 0;
         if digit <= 0 || !meshable {
             continue;
         }
