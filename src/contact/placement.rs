@@ -135,9 +135,10 @@ impl Placement {
                 let above = lanes.cmp_gt(f64x4::splat(-TOLERANCE)).move_mask() as u32;
                 // the padding lane repeats corner 0: bit 3 closes the triangle
                 outside[t] |= below & (below >> 1);
-                // all corners of t on one side of the line of edge e of the other
-                let on_one_side = (below & 7 == 7) | (above & 7 == 7);
-                off_line[1 - t] |= u32::from(on_one_side) << e;
+                // all corners of t on one side of the line of edge e of the other:
+                // only 7, the mask of three corners, carries into bit 3
+                let on_one_side = (((below & 7) + 1) | ((above & 7) + 1)) >> 3;
+                off_line[1 - t] |= on_one_side << e;
             }
         }
         [7 & !(outside[0] | off_line[0]), 7 & !(outside[1] | off_line[1])]

@@ -57,7 +57,7 @@ pub struct Kinematics {
 
 impl Kinematics {
     /// Kinematics from current corners and corner velocities.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn new(reference: &ReferenceShape, corners: &[Vec2; 3], velocities: &[Vec2; 3]) -> Self {
         let edges = edges(corners);
@@ -74,7 +74,7 @@ impl Kinematics {
     }
 
     /// Shear and viscous part of the Cauchy stress, (μ/J)(B − I) + η D.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn deviator_like(
         &self,
@@ -91,7 +91,7 @@ impl Kinematics {
     }
 
     /// λ (J − 1/J), twice the volumetric part of the elastic stress.
-    #[inline]
+    #[inline(always)]
     #[must_use]
     pub fn volumetric(&self, elasticity: &Elasticity, reference: &ReferenceShape) -> f64 {
         elasticity.lame_lambda
@@ -100,7 +100,7 @@ impl Kinematics {
 }
 
 /// Cauchy stress of the elastic triangle, Pa.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn cauchy_stress(
     elasticity: &Elasticity,
@@ -117,7 +117,7 @@ pub fn cauchy_stress(
 }
 
 /// Force of the stress on each node, N.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn nodal_forces(stress: &Matrix2<f64>, corners: &[Vec2; 3]) -> [Vec2; 3] {
     std::array::from_fn(|i| {
@@ -130,7 +130,7 @@ pub fn nodal_forces(stress: &Matrix2<f64>, corners: &[Vec2; 3]) -> [Vec2; 3] {
 }
 
 /// Outward normal of the edge opposite to node `i`, as long as the edge, m.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn opposite_normal(corners: &[Vec2; 3], i: usize) -> Vec2 {
     let (from, to) = (corners[(i + 1) % 3], corners[(i + 2) % 3]);
@@ -153,18 +153,18 @@ pub fn double_area(corners: &[Vec2; 3]) -> f64 {
     determinant(&edges(corners))
 }
 
-#[inline]
+#[inline(always)]
 fn edges(corners: &[Vec2; 3]) -> Matrix2<f64> {
     Matrix2::from_columns(&[corners[1] - corners[0], corners[2] - corners[0]])
 }
 
-#[inline]
+#[inline(always)]
 fn determinant(m: &Matrix2<f64>) -> f64 {
     m[(0, 0)] * m[(1, 1)] - m[(1, 0)] * m[(0, 1)]
 }
 
 /// Inverse of a 2×2 matrix, each cofactor divided by the determinant.
-#[inline]
+#[inline(always)]
 #[must_use]
 pub fn inverse(m: &Matrix2<f64>, determinant: f64) -> Matrix2<f64> {
     Matrix2::new(
@@ -176,7 +176,7 @@ pub fn inverse(m: &Matrix2<f64>, determinant: f64) -> Matrix2<f64> {
 }
 
 /// Matrix product whose sums start from 0 and run over k = 0, 1.
-#[inline]
+#[inline(always)]
 fn product(a: &Matrix2<f64>, b: &Matrix2<f64>) -> Matrix2<f64> {
     Matrix2::from_fn(|i, j| (0.0 + a[(i, 0)] * b[(0, j)]) + a[(i, 1)] * b[(1, j)])
 }

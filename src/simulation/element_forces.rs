@@ -11,6 +11,7 @@ use crate::{
     },
     scene::{ElementKind, Nodes},
 };
+use multiversion::multiversion;
 use nalgebra::Matrix2;
 use rayon::prelude::*;
 
@@ -28,7 +29,7 @@ pub(super) struct TriangleResponse {
 }
 
 impl TriangleResponse {
-    #[inline]
+    #[inline(always)]
     fn of_elastic(batch: &Batch, planned: &PlannedTriangle, nodes: &Nodes<2>) -> Self {
         let [a, b, c] = planned.corners;
         let at = |values: &[Vec2]| [values[a as usize], values[b as usize], values[c as usize]];
@@ -79,14 +80,11 @@ impl Simulation {
             }
             self.responses = responses;
         } else {
-            for planned in &batch.triangles {
-                let response = TriangleResponse::of_elastic(batch, planned, &self.scene.nodes);
-                self.add_response(planned, &response, force);
-            }
+            add_elastic_serially(self, batch, force);
         }
     }
 
-    #[inline]
+    #[inline(always)]
     fn add_response(
         &mut self,
         planned: &PlannedTriangle,
@@ -95,16 +93,27 @@ impl Simulation {
     ) {
         self.stress[planned.element as usize] = response.stress;
         if planned.has_loaded_edge {
-            let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
-            let loads = EdgeLoads::new(&self.scene, self.time);
-            for i in 0..3 {
-                force[planned.corners[i] as usize] += response.forces[i];
-                loads.apply(i, &planned.corners, &corners, force);
-            }
+            self.add_loaded_response(planned, response, force);
         } else {
             for (&node, internal) in planned.corners.iter().zip(&response.forces) {
                 force[node as usize] += internal;
             }
+        }
+    }
+
+    #[cold]
+    #[inline(never)]
+    fn add_loaded_response(
+        &self,
+        planned: &PlannedTriangle,
+        response: &TriangleResponse,
+        force: &mut [Vec2],
+    ) {
+        let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
+        let loads = EdgeLoads::new(&self.scene, self.time);
+        for i in 0..3 {
+            force[planned.corners[i] as usize] += response.forces[i];
+            loads.apply(i, &planned.corners, &corners, force);
         }
     }
 
@@ -138,5 +147,15 @@ impl Simulation {
                 force[node as usize] += internal;
             }
         }
+    }
+}
+
+/// Compiled for several instruction sets and chosen at run time; all give the
+/// same bits, because nothing is fused or reassociated.
+#[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt", "x86_64+avx"))]
+fn add_elastic_serially(simulation: &mut Simulation, batch: &Batch, force: &mut [Vec2]) {
+    for planned in &batch.triangles {
+        let response = TriangleResponse::of_elastic(batch, planned, &simulation.scene.nodes);
+        simulation.add_response(planned, &response, force);
     }
 }
