@@ -7,7 +7,7 @@ use support::{
     grid_deck::jointed_wall,
     scenes::{bits, scene, step},
 };
-use ypsilon::simulation::Simulation;
+use ypsilon::simulation::{Simulation, joint_views};
 
 /// The wall is above every threshold from which threads are used.
 #[test]
@@ -22,6 +22,7 @@ fn a_jointed_wall_moves_alike_on_1_2_3_and_8_threads() {
             let work = simulation.couple_work().expect("the scene has contact");
             assert!(work.most_couples > 20_000, "{work:?}");
             assert!(simulation.triangles().count() > 16_384);
+            assert!(joint_views(&simulation).count() > 16_384);
             bits(&simulation)
         })
     };

@@ -17,7 +17,7 @@ use rayon::prelude::*;
 
 /// From so many triangles of a material on, threads pay (measured,
 /// `docs/src/performance.md`).
-const PARALLEL_FROM: usize = 2048;
+const PARALLEL_FROM: usize = 16_384;
 /// Least number of triangles that a thread takes at a time.
 const GRAIN: usize = 512;
 

@@ -6,7 +6,7 @@ use crate::{
 use rayon::prelude::*;
 
 /// From so many joints on, threads pay (measured, `docs/src/performance.md`).
-const PARALLEL_FROM: usize = 1024;
+const PARALLEL_FROM: usize = 16_384;
 /// Least number of joints that a thread takes at a time.
 const GRAIN: usize = 256;
 
