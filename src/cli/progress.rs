@@ -1,7 +1,4 @@
-use super::{
-    console::{say, warn},
-    deck_report, interrupt,
-};
+use super::{console::say, deck_report, interrupt};
 use crate::{
     output::TABLE_HEADER,
     session::{Observer, Progress, RunSummary, StopReason},
@@ -82,10 +79,6 @@ impl Observer for Screen {
 
     fn findings(&mut self, findings: &[Diagnostic], sources: &SourceMap) {
         deck_report::print(findings, sources, Severity::Warning);
-    }
-
-    fn warning(&mut self, text: &str) {
-        warn(&format!("warning: {text}"));
     }
 
     fn row(&mut self, row: &str, progress: &Progress) {

@@ -86,12 +86,6 @@ impl Contact {
         self.work
     }
 
-    /// Number of couples that the deck has room for.
-    #[must_use]
-    pub fn capacity(&self) -> usize {
-        self.settings.capacity
-    }
-
     /// Makes the next step detect, as the original does after meshing
     /// (`buffers` = 2) and fracture (5).
     pub fn force_detection(&mut self, buffers: f64) {

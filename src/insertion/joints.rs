@@ -70,7 +70,7 @@ pub(super) fn insert(
                 joints.at[a.max(b)].push(Candidate { element: joint, creator: property });
             }
         }
-        take_corners(mesh, element, new);
+        mesh.elements.set_corners(element, new);
         mesh.check_capacity()?;
     }
     for joint in first_joint..mesh.elements.len() {
@@ -88,7 +88,7 @@ pub(super) fn separate(mesh: &mut Mesh<'_>, triangles: &[usize]) -> Result<(), C
     for &element in triangles {
         let old = mesh.elements.corners::<3>(element);
         let new = copy_corners(mesh, old);
-        take_corners(mesh, element, new);
+        mesh.elements.set_corners(element, new);
         mesh.check_capacity()?;
     }
     Ok(())
@@ -96,10 +96,4 @@ pub(super) fn separate(mesh: &mut Mesh<'_>, triangles: &[usize]) -> Result<(), C
 
 fn copy_corners(mesh: &mut Mesh<'_>, old: [usize; 3]) -> [usize; 3] {
     old.map(|node| mesh.nodes.push_copy(node, 1))
-}
-
-fn take_corners(mesh: &mut Mesh<'_>, element: usize, corners: [usize; 3]) {
-    for (slot, node) in mesh.elements.nodes[element].iter_mut().zip(corners) {
-        *slot = node as i32;
-    }
 }

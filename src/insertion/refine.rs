@@ -59,7 +59,7 @@ pub(super) fn into_four(
         for corner in [[v[0], m[0], m[2]], [v[1], m[1], m[0]], [v[2], m[2], m[1]]] {
             append_triangle(mesh, element, corner);
         }
-        set_corners(mesh, element, m);
+        mesh.elements.set_corners(element, m);
         finish_triangle(mesh, v, m, first_material)?;
     }
     Ok(())
@@ -81,7 +81,7 @@ pub(super) fn into_six(
         {
             append_triangle(mesh, element, corners);
         }
-        set_corners(mesh, element, [v[0], m[0], c]);
+        mesh.elements.set_corners(element, [v[0], m[0], c]);
         finish_triangle(mesh, v, m, first_material)?;
     }
     Ok(())
@@ -100,19 +100,13 @@ fn push_centre(mesh: &mut Mesh<'_>, v: [usize; 3]) -> usize {
 fn append_triangle(mesh: &mut Mesh<'_>, original: usize, corners: [usize; 3]) {
     let property = mesh.elements.property[original];
     let element = mesh.elements.push([-1; 6], property);
-    set_corners(mesh, element, corners);
+    mesh.elements.set_corners(element, corners);
     let damage_row = usize::try_from(property)
         .ok()
         .and_then(|p| mesh.materials.get(p))
         .and_then(|m| usize::try_from(m.damage_row).ok());
     if let Some(row) = damage_row.and_then(|row| mesh.elements.state.get_mut(row)) {
         row[element] = row[original];
-    }
-}
-
-fn set_corners(mesh: &mut Mesh<'_>, element: usize, corners: [usize; 3]) {
-    for (slot, node) in mesh.elements.nodes[element].iter_mut().zip(corners) {
-        *slot = node as i32;
     }
 }
 

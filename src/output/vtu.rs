@@ -135,14 +135,12 @@ fn body_grid(simulation: &Simulation) -> UnstructuredGrid {
 fn stress(simulation: &Simulation, element: usize) -> SymmetricTensor {
     let s = &simulation.stresses()[element];
     let scene = simulation.scene();
-    let material =
-        usize::try_from(scene.elements.property[element]).ok().and_then(|p| scene.materials.get(p));
     let area = |x: &[Vec2]| {
         let [a, b, c] = scene.elements.corners::<3>(element).map(|n| x[n]);
         triangle::double_area(&[a, b, c])
     };
     let ratio = area(&scene.nodes.current) / area(&scene.nodes.initial);
-    let zz = material.map_or(0.0, |m| {
+    let zz = scene.material_of(element).map_or(0.0, |m| {
         let volumetric = m.lame_lambda * (ratio - 1.0 / ratio);
         match m.kind {
             ElementKind::ElasticTriangle => 0.5 * volumetric,

@@ -9,8 +9,6 @@ pub struct ContactSettings {
     pub initial_travel: f64,
     /// Whether every element takes part and contact tags are ignored.
     pub all_elements: bool,
-    /// Number of couples that the original would have room for.
-    pub capacity: usize,
     /// Sliding of the couple slots at the start, m².
     pub initial_sliding: Vec<[f64; 6]>,
 }

@@ -89,6 +89,13 @@ impl Elements {
         std::array::from_fn(|i| self.nodes[element][i] as usize)
     }
 
+    /// Gives a triangle other corners.
+    pub fn set_corners(&mut self, element: usize, corners: [usize; 3]) {
+        for (slot, node) in self.nodes[element].iter_mut().zip(corners) {
+            *slot = node as i32;
+        }
+    }
+
     /// Appends an element without contact tag whose state variables are zero.
     pub fn push(&mut self, nodes: [i32; 6], property: i32) -> usize {
         self.nodes.push(nodes);

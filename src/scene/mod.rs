@@ -57,15 +57,19 @@ pub struct Scene {
 }
 
 impl Scene {
+    /// Material of an element; `None` for joints, live or broken.
+    #[must_use]
+    pub fn material_of(&self, element: usize) -> Option<&Material> {
+        usize::try_from(self.elements.property[element]).ok().and_then(|p| self.materials.get(p))
+    }
+
     /// Whether a point (initial coordinates, m) lies strictly inside an elastic
     /// triangle.
     #[must_use]
     pub fn contains_point(&self, point: nalgebra::Vector2<f64>) -> bool {
         (0..self.elements.len()).any(|e| {
-            let elastic = usize::try_from(self.elements.property[e])
-                .ok()
-                .and_then(|p| self.materials.get(p))
-                .is_some_and(|m| m.kind == ElementKind::ElasticTriangle);
+            let elastic =
+                self.material_of(e).is_some_and(|m| m.kind == ElementKind::ElasticTriangle);
             let corners = || self.elements.corners::<3>(e).map(|n| self.nodes.initial[n]);
             elastic && crate::mechanics::triangle::contains(&corners(), point)
         })

@@ -27,9 +27,6 @@ pub trait Observer {
     /// Findings about the deck.
     fn findings(&mut self, _findings: &[Diagnostic], _sources: &SourceMap) {}
 
-    /// Something went unexpectedly during the run.
-    fn warning(&mut self, _text: &str) {}
-
     /// A row of the run table is due.
     fn row(&mut self, _row: &str, _progress: &Progress) {}
 

@@ -97,12 +97,6 @@ impl Simulation {
         }
     }
 
-    /// Whether all steps of the deck are done.
-    #[must_use]
-    pub fn is_finished(&self) -> bool {
-        self.step >= self.scene.control.end_step
-    }
-
     /// Meshing, initial strengths and element lists: once before the first
     /// step of each stage of the deck.
     ///

@@ -74,7 +74,6 @@ pub(super) struct Plan {
     pub nodal_mass: Vec<f64>,
     /// Whether softening or rigid triangles change the masses during a step.
     pub masses_change: bool,
-    pub has_elastic: bool,
     pub kinetic_energy_probes: bool,
 }
 
@@ -111,7 +110,6 @@ impl Plan {
             }
             ElementKind::ElasticTriangle | ElementKind::SofteningTriangle => {
                 let elastic = m.kind == ElementKind::ElasticTriangle;
-                self.has_elastic |= elastic;
                 self.masses_change |= !elastic;
                 let mut triangles = Vec::new();
                 for (element, corners) in members {

@@ -87,26 +87,21 @@ impl Simulation {
 
     /// Elements that are triangles, ascending.
     pub fn triangles(&self) -> impl Iterator<Item = usize> + '_ {
-        let materials = self.scene.materials.len();
-        let property = &self.scene.elements.property;
-        (0..property.len())
-            .filter(move |&e| usize::try_from(property[e]).is_ok_and(|p| p < materials))
+        let scene = &self.scene;
+        (0..scene.elements.len()).filter(|&e| scene.material_of(e).is_some())
     }
 
     /// Damage of each element, if the scene has softening triangles: 0 where
     /// there is none, −1 for triangles that have detached.
     #[must_use]
     pub fn triangle_damage(&self) -> Option<Vec<f64>> {
-        let softens = |p: i32| {
-            let material = usize::try_from(p).ok().and_then(|p| self.scene.materials.get(p));
+        let softens = |e: usize| {
+            let material = self.scene.material_of(e);
             material.filter(|m| m.kind == ElementKind::SofteningTriangle)
         };
         let elements = &self.scene.elements;
-        elements.property.iter().any(|&p| softens(p).is_some()).then(|| {
-            let damage = |e: usize| {
-                softens(elements.property[e])
-                    .map_or(0.0, |m| elements.state[m.damage_row as usize][e])
-            };
+        (0..elements.len()).any(|e| softens(e).is_some()).then(|| {
+            let damage = |e| softens(e).map_or(0.0, |m| elements.state[m.damage_row as usize][e]);
             (0..elements.len()).map(damage).collect()
         })
     }

@@ -6,7 +6,9 @@ use yformat::diagnostic::Diagnostic;
 const SLIDING_STATES: i64 = 6;
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
-    let capacity = usize::try_from(reader.integer("YDI/MICOUP")).ok().filter(|&n| n > 0)?;
+    if reader.integer("YDI/MICOUP") <= 0 {
+        return None;
+    }
     let states = reader.integer("YDI/MISTATE");
     if states < SLIDING_STATES {
         reader.report(
@@ -36,7 +38,6 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
         buffer,
         initial_travel: reader.real("YDI/DIEDI"),
         all_elements: reader.integer("YDC/IWFAST") == 0,
-        capacity,
         initial_sliding: (0..slots)
             .map(|slot| std::array::from_fn(|k| sliding.map_or(0.0, |f| f.get2(k, slot))))
             .collect(),
@@ -46,12 +47,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
 /// Checks that need the whole scene.
 pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     let Some(contact) = &scene.contact else { return };
-    let touches = |e: usize| {
-        usize::try_from(scene.elements.property[e])
-            .ok()
-            .and_then(|p| scene.materials.get(p))
-            .is_some_and(|m| m.kind.takes_part_in_contact())
-    };
+    let touches = |e: usize| scene.material_of(e).is_some_and(|m| m.kind.takes_part_in_contact());
     let tagged = |e: usize| {
         let flagged = |n: usize| scene.nodes.boundary_flag[n] == 1;
         scene.elements.contact_tag[e] > 0 || scene.elements.corners::<3>(e).into_iter().any(flagged)

@@ -12,11 +12,8 @@ use yformat::diagnostic::Diagnostic;
 const FLAT: f64 = 1e-12;
 
 pub(super) fn check(reader: &mut Reader<'_>, scene: &Scene) {
-    let triangles: Vec<usize> = (0..scene.elements.len())
-        .filter(|&e| {
-            usize::try_from(scene.elements.property[e]).is_ok_and(|p| p < scene.materials.len())
-        })
-        .collect();
+    let triangles: Vec<usize> =
+        (0..scene.elements.len()).filter(|&e| scene.material_of(e).is_some()).collect();
     let corners = |e: usize, x: &[Vec2]| scene.elements.corners::<3>(e).map(|n| x[n]);
     let fine = check_repeated_nodes(reader, scene, &triangles)
         && check_areas(reader, &triangles, "D2NCI", |e| corners(e, &scene.nodes.initial))
