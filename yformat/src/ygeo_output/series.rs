@@ -20,7 +20,7 @@ pub struct FractureTotals {
     pub step: u64,
     /// Sum of the areas of the gaps ([`super::JointGap::area`]).
     pub open_area: f64,
-    /// Sum of the lengths of the broken joints.
+    /// Sum of the present lengths of edge 0-1 of the broken joints.
     pub length: f64,
 }
 
