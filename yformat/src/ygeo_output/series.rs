@@ -27,7 +27,9 @@ pub struct FractureTotals {
 impl FractureTotals {
     /// Writes the line.
     pub fn write(&self, out: &mut impl Write) -> io::Result<()> {
-        writeln!(out, "{}\t{:.9}\t{:.9}", self.step, self.open_area, self.length)
+        // Y-Geo's sums begin with a positive zero; in Rust the sum of nothing is a negative one.
+        let (area, length) = (self.open_area + 0.0, self.length + 0.0);
+        writeln!(out, "{}\t{area:.9}\t{length:.9}", self.step)
     }
 }
 

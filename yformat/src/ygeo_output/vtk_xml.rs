@@ -27,8 +27,8 @@ pub(super) fn open_poly_data(
     )
 }
 
-/// The polygons, each given by how many corners it has (all alike) and its points in turn, and
-/// the end of the file.
+/// The polygons (the points of one after the other, then where each ends among these) and the
+/// end of the file.
 pub(super) fn close_poly_data(
     out: &mut impl Write,
     connectivity: impl Iterator<Item = usize>,

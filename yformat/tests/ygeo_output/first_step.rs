@@ -78,7 +78,7 @@ impl FirstStep {
 
 /// In these runs what Y-Geo read in front of its array (see
 /// [`BrokenJoint::neighbour_excavated`]) meant "excavated".
-pub fn boundary_taken_for_excavated(case: &Case) -> bool {
+fn boundary_taken_for_excavated(case: &Case) -> bool {
     case.name.ends_with("_jointed_mono")
 }
 
@@ -166,8 +166,7 @@ fn first_difference(original: &str, ours: &str) -> String {
 fn the_first_line_of_totals_comes_out_byte_for_byte() {
     for case in cases() {
         let first = FirstStep::of(&case);
-        let areas = first.broken_joints.iter().map(|joint| f64::from(joint.gap().area));
-        let open_area = areas.fold(0.0, |sum, area| sum + area);
+        let open_area = first.broken_joints.iter().map(|joint| f64::from(joint.gap().area)).sum();
         let ours = written(|out| FractureTotals { step: 0, open_area, length: 0.0 }.write(out));
         let text = case.text(&TextFile::FractureTotals.path(&case.deck())).unwrap();
         assert_eq!(text.lines().next(), Some(ours.trim_end()), "{}", case.name);
