@@ -43,6 +43,12 @@ impl CoupleList {
         self.first.resize(elements, NONE);
     }
 
+    /// Number of elements that may be contactors.
+    #[must_use]
+    pub fn contactors(&self) -> usize {
+        self.first.len()
+    }
+
     /// Number of couples.
     #[must_use]
     pub fn len(&self) -> usize {

@@ -5,11 +5,11 @@
 //! in the original's order: rows by their highest element first, cells of a
 //! row by their lowest element, elements of a cell from the highest down.
 
-use super::couples::CoupleList;
+use super::{bonds::Bonds, couples::CoupleList};
 use crate::{
     TOLERANCE,
     mechanics::Vec2,
-    scene::{Elements, Material, Nodes},
+    scene::{ContactSelection, Elements, Material, Nodes},
 };
 
 /// Cells farther out than this count as this one, so that their neighbours have numbers, too.
@@ -43,8 +43,10 @@ pub struct Participants<'a> {
     pub materials: &'a [Material],
     /// Buffer around elements, m.
     pub buffer: f64,
-    /// Whether every element takes part and tags are ignored.
-    pub all_elements: bool,
+    /// Which triangles take part.
+    pub selection: ContactSelection,
+    /// Joints that keep triangles from becoming couples.
+    pub bonds: Option<Bonds<'a>>,
 }
 
 /// The sweep with its buffers, reused from one detection to the next.
@@ -68,22 +70,32 @@ impl Detector {
         elements: &mut Elements,
         couples: &mut CoupleList,
     ) {
-        tag_boundary_elements(scene, elements);
+        if scene.selection != ContactSelection::Flagged {
+            tag_boundary_elements(scene, elements);
+        }
         self.load(scene, elements);
         self.sort_into_cells(scene.buffer);
         couples.resize(elements.len());
         for visit in 0..self.visits.len() {
             let row = self.visits[visit] as usize;
             self.list_cells(row);
-            self.sweep_row(row, scene, couples);
+            self.sweep_row(row, scene, elements, couples);
         }
     }
 
     fn load(&mut self, scene: &Participants<'_>, elements: &Elements) {
         self.circles.clear();
         for element in 0..elements.len() {
+            if !takes_part(scene, elements, element) {
+                continue;
+            }
             let tag = elements.contact_tag[element];
-            if (tag > 0 || scene.all_elements) && takes_part(scene, elements, element) {
+            let is_selected = match scene.selection {
+                ContactSelection::All => true,
+                ContactSelection::Tagged => tag > 0,
+                ContactSelection::Flagged => is_flagged(scene, elements, element, |f| f > 0),
+            };
+            if is_selected {
                 let corners = elements.corners::<3>(element).map(|n| scene.nodes.current[n]);
                 self.circles.push(Circle::around(element as u32, tag, &corners));
             }
@@ -126,7 +138,13 @@ impl Detector {
         self.cells.sort_unstable_by_key(|c| c.key);
     }
 
-    fn sweep_row(&self, index: usize, scene: &Participants<'_>, couples: &mut CoupleList) {
+    fn sweep_row(
+        &self,
+        index: usize,
+        scene: &Participants<'_>,
+        elements: &Elements,
+        couples: &mut CoupleList,
+    ) {
         let row = self.rows[index];
         let y = self.circles[row.start].cell[1];
         let below = index
@@ -140,7 +158,7 @@ impl Detector {
             let around = [self.cell(row, x - 1), in_below(x + 1), in_below(x), in_below(x - 1)];
             for (i, a) in own.iter().enumerate() {
                 for b in own[i + 1..].iter().chain(around.into_iter().flatten()) {
-                    examine(a, b, scene, couples);
+                    examine(a, b, scene, elements, couples);
                 }
             }
         }
@@ -171,8 +189,17 @@ fn distance_squared(a: Vec2, b: Vec2) -> f64 {
 }
 
 /// Adds or removes the couple of two elements as their distance asks.
-fn examine(a: &Circle, b: &Circle, scene: &Participants<'_>, couples: &mut CoupleList) {
-    if a.tag == b.tag && !scene.all_elements {
+fn examine(
+    a: &Circle,
+    b: &Circle,
+    scene: &Participants<'_>,
+    elements: &Elements,
+    couples: &mut CoupleList,
+) {
+    if scene.bonds.is_some_and(|bonds| bonds.exclude(elements, a.element, b.element)) {
+        return;
+    }
+    if scene.selection == ContactSelection::Tagged && a.tag == b.tag {
         return;
     }
     let (contactor, target) = if a.element > b.element { (a, b) } else { (b, a) };
@@ -192,13 +219,22 @@ fn examine(a: &Circle, b: &Circle, scene: &Participants<'_>, couples: &mut Coupl
 /// taken back.
 fn tag_boundary_elements(scene: &Participants<'_>, elements: &mut Elements) {
     for element in 0..elements.len() {
-        if takes_part(scene, elements, element) {
-            let flagged = |n: usize| scene.nodes.boundary_flag[n] == 1;
-            if elements.corners::<3>(element).into_iter().any(flagged) {
-                elements.contact_tag[element] = element as i32 + 1;
-            }
+        if takes_part(scene, elements, element)
+            && is_flagged(scene, elements, element, |flag| flag == 1)
+        {
+            elements.contact_tag[element] = element as i32 + 1;
         }
     }
+}
+
+/// Whether a corner of the triangle has a flag that `counts`.
+fn is_flagged(
+    scene: &Participants<'_>,
+    elements: &Elements,
+    element: usize,
+    counts: impl Fn(i32) -> bool,
+) -> bool {
+    elements.corners::<3>(element).into_iter().any(|n| counts(scene.nodes.boundary_flag[n]))
 }
 
 fn takes_part(scene: &Participants<'_>, elements: &Elements, element: usize) -> bool {

@@ -125,6 +125,19 @@ impl Done {
     }
 }
 
+impl Visit {
+    /// Lets the couple rest while no node moves further than `free`, if that is
+    /// worth it for some steps and resolved by the sum of the path.
+    #[inline(always)]
+    pub(super) fn let_rest(&mut self, step: &Step<'_>, free: f64) {
+        if free > WORTHWHILE_STEPS * step.advance && free > 1e-9 * step.path {
+            self.rest = step.path + free;
+        } else {
+            self.patience = PATIENCE;
+        }
+    }
+}
+
 /// Compiled for several instruction sets and chosen at run time; all give the
 /// same bits, because nothing is fused or reassociated.
 #[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt", "x86_64+avx"))]
@@ -140,7 +153,7 @@ fn evaluate_chunk(step: &Step<'_>, visits: &mut [Visit], chunk: &mut Chunk) {
         let couple = Couple {
             shapes: [&step.shapes[target], &step.shapes[contactor]],
             motions: [&step.motions[target], &step.motions[contactor]],
-            pair: step.pairs.properties(visit.rank),
+            pair: step.pairs.properties(visit.pair),
             dt: step.dt,
             drop_distance_squared: 4.0 * step.buffer * step.buffer,
         };
@@ -148,7 +161,7 @@ fn evaluate_chunk(step: &Step<'_>, visits: &mut [Visit], chunk: &mut Chunk) {
             chunk.touches.push(Touch::default());
         }
         let touch = &mut chunk.touches[chunk.count];
-        match overlap(&couple, &mut visit.sliding, &mut touch.sides) {
+        match overlap(&couple, &mut { couple.pair }, &mut visit.sliding, &mut touch.sides) {
             Proximity::Near => {
                 touch.participants = visit.participants;
                 chunk.count += 1;
@@ -162,13 +175,7 @@ fn evaluate_chunk(step: &Step<'_>, visits: &mut [Visit], chunk: &mut Chunk) {
             Proximity::Clear => {
                 let ids = [&step.corners[target], &step.corners[contactor]];
                 let corners = [couple.shapes[0].corners(), couple.shapes[1].corners()];
-                let free = clearance(ids, &corners, step.buffer);
-                // worth it for some steps, and resolved by the sum of the path
-                if free > WORTHWHILE_STEPS * step.advance && free > 1e-9 * step.path {
-                    visit.rest = step.path + free;
-                } else {
-                    visit.patience = PATIENCE;
-                }
+                visit.let_rest(step, clearance(ids, &corners, step.buffer));
             }
         }
     }

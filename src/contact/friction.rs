@@ -1,25 +1,6 @@
-use crate::scene::Material;
-
-/// Contact properties of a pair of materials: the smaller value of each.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct PairProperties {
-    /// Normal penalty, Pa.
-    pub penalty: f64,
-    /// Tangential penalty, Pa.
-    pub tangential_penalty: f64,
-    /// Coulomb friction coefficient.
-    pub friction: f64,
-}
+use crate::scene::{Elements, FractureNetwork, Material, PairProperties, PairRule};
 
 impl PairProperties {
-    fn of(a: &Material, b: &Material) -> Self {
-        Self {
-            penalty: a.contact_penalty.min(b.contact_penalty),
-            tangential_penalty: a.tangential_penalty.min(b.tangential_penalty),
-            friction: a.friction.min(b.friction),
-        }
-    }
-
     /// Tangential force for an accumulated `sliding`, limited by Coulomb's law
     /// under the normal force; the sliding is set back to what the limited
     /// force stands for.
@@ -37,23 +18,67 @@ impl PairProperties {
     }
 }
 
+impl PairRule {
+    /// Properties of the pair of materials `a` ≤ `b`; `before` are those of the
+    /// pair visited before.
+    fn properties(
+        &self,
+        numbers: [usize; 2],
+        [a, b]: [&Material; 2],
+        before: &PairProperties,
+    ) -> PairProperties {
+        let penalty = a.contact_penalty.min(b.contact_penalty);
+        match self {
+            Self::SmallerOfEach => PairProperties {
+                penalty,
+                tangential_penalty: a.tangential_penalty.min(b.tangential_penalty),
+                friction: a.friction.min(b.friction),
+            },
+            Self::InterfaceFriction => PairProperties {
+                penalty,
+                tangential_penalty: 0.1 * penalty,
+                friction: if numbers[0] == numbers[1] {
+                    a.friction
+                } else {
+                    a.interface_friction.min(b.interface_friction)
+                },
+            },
+            Self::Table(rows) => {
+                let numbers = numbers.map(|n| n as i64);
+                let row = rows.iter().rev().find(|row| row.materials == numbers);
+                row.map_or(*before, |row| row.properties)
+            }
+        }
+    }
+}
+
+/// Contact that exerts nothing.
+const NO_FORCE: PairProperties =
+    PairProperties { penalty: 0.0, tangential_penalty: 0.0, friction: 0.0 };
+
 /// Pair properties of all materials, and the order in which pairs are visited.
 #[derive(Debug, Clone, Default)]
 pub struct PairTable {
     materials: usize,
+    /// Pairs of materials, then fractures of the network.
     pairs: Vec<Option<PairProperties>>,
 }
 
 impl PairTable {
     /// Table of all pairs `(p, q)` with p ≤ q of materials that take part in contact.
     #[must_use]
-    pub fn new(materials: &[Material]) -> Self {
+    pub fn new(materials: &[Material], rule: &PairRule) -> Self {
         let mut pairs = Vec::with_capacity(materials.len() * materials.len());
+        let mut before = PairRule::UNLISTED;
         for (p, a) in materials.iter().enumerate() {
             for (q, b) in materials.iter().enumerate() {
                 let touch =
                     p <= q && a.kind.takes_part_in_contact() && b.kind.takes_part_in_contact();
-                pairs.push(touch.then(|| PairProperties::of(a, b)));
+                pairs.push(touch.then(|| {
+                    before = rule.properties([p, q], [a, b], &before);
+                    // excavated triangles are there, but without force
+                    if a.is_excavated || b.is_excavated { NO_FORCE } else { before }
+                }));
             }
         }
         Self { materials: materials.len(), pairs }
@@ -71,6 +96,35 @@ impl PairTable {
         self.pairs[rank].is_some().then_some(rank as u32)
     }
 
+    /// Adds the contact properties of fractures, which count between two
+    /// triangles that both lie on one (Y-Geo, spec `contact.md` 3.1).
+    #[must_use]
+    pub fn with_fractures(mut self, network: Option<&FractureNetwork>) -> Self {
+        let fractures = network.iter().flat_map(|n| &n.fractures);
+        self.pairs.extend(fractures.map(|f| (f.contact.friction >= 0.0).then_some(f.contact)));
+        self
+    }
+
+    /// Whether the pair of that rank is of one material.
+    #[must_use]
+    pub fn is_inside(&self, rank: u32) -> bool {
+        let rank = rank as usize;
+        rank / self.materials.max(1) == rank % self.materials.max(1)
+    }
+
+    /// Index of the properties that two triangles on fractures have: those of
+    /// the contactor's fracture.
+    #[must_use]
+    pub fn along_fracture(&self, elements: &Elements, contactor: u32, target: u32) -> Option<u32> {
+        let index = |element: u32| {
+            let fracture = usize::try_from(elements.fracture[element as usize]).ok()?;
+            let index = self.materials * self.materials + fracture;
+            self.pairs.get(index)?.is_some().then_some(index as u32)
+        };
+        index(target)?;
+        index(contactor)
+    }
+
     /// Properties of the pair of that rank.
     ///
     /// # Panics
@@ -83,7 +137,7 @@ impl PairTable {
 
 #[cfg(test)]
 mod tests {
-    use super::PairProperties;
+    use crate::scene::PairProperties;
 
     #[test]
     fn coulomb_limits_the_force_and_the_sliding() {

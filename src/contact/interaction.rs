@@ -2,16 +2,17 @@
 //! which order, and what becomes of them.
 
 use super::{
+    bonds::Bonds,
     couples::CoupleList,
     detection::{Detector, Participants},
-    evaluation::{Evaluator, Step},
+    evaluation::{Done, Evaluator, Step},
     friction::PairTable,
-    placement::{Motion, Shape},
+    in_order::{FractureFaces, Tally, evaluate_in_order},
     visits::Visits,
 };
 use crate::{
     mechanics::Vec2,
-    scene::{ContactSettings, ElementKind, Elements, Material, Nodes},
+    scene::{ChainAfterDrop, ContactSettings, ElementKind, Elements, Material, Nodes, Scene},
 };
 
 /// How much contact work was done since the start.
@@ -47,6 +48,8 @@ pub struct Contact {
     /// Nodes of elements that take part in contact.
     moving_nodes: Vec<u32>,
     work: CoupleWork,
+    /// Whether a dropped couple changes the next of its chain.
+    is_chained: bool,
 }
 
 impl Contact {
@@ -59,6 +62,7 @@ impl Contact {
         Self {
             path: 0.0,
             advance: 0.0,
+            is_chained: false,
             rests,
             travel: settings.initial_travel,
             couples: CoupleList::new(settings.initial_sliding.clone()),
@@ -86,15 +90,38 @@ impl Contact {
         self.work
     }
 
+    /// Contactor, target and sliding of all couples: contactors ascending, the
+    /// newest couple of each first.
+    #[must_use]
+    pub fn couples(&self) -> Vec<([u32; 2], [f64; 6])> {
+        let mut couples = self.couples.clone();
+        self.visits.store(&mut couples);
+        let listed = |contactor| {
+            let couples = &couples;
+            couples
+                .of(contactor)
+                .map(move |slot| ([contactor, couples.target(slot)], *couples.sliding(slot)))
+        };
+        (0..couples.contactors() as u32).flat_map(listed).collect()
+    }
+
     /// Makes the next step detect, as the original does after meshing
     /// (`buffers` = 2) and fracture (5).
     pub fn force_detection(&mut self, buffers: f64) {
         self.travel = buffers * self.settings.buffer;
     }
 
+    /// Sets the travel since the last detection, m.
+    pub fn force_travel(&mut self, travel: f64) {
+        self.travel = travel;
+    }
+
     /// Takes over changed elements and materials.
-    pub fn rebuild(&mut self, elements: &Elements, materials: &[Material]) {
-        self.pairs = PairTable::new(materials);
+    pub fn rebuild(&mut self, scene: &Scene) {
+        let Scene { elements, materials, .. } = scene;
+        self.pairs = PairTable::new(materials, &self.settings.pairs)
+            .with_fractures(scene.fracture_network.as_ref());
+        self.is_chained = scene.conventions.after_drop == ChainAfterDrop::NextLosesSliding;
         self.moving_nodes.clear();
         for element in 0..elements.len() {
             let property = elements.property[element];
@@ -108,8 +135,9 @@ impl Contact {
         self.visits.store(&mut self.couples);
         self.couples.wake_all();
         // a rigid triangle's nodes may move further than their velocities tell
-        self.rests &= materials.iter().all(|m| m.kind != ElementKind::RigidTriangle);
-        self.visits.sort(&self.couples, &self.pairs, elements);
+        let jumps = |m: &Material| m.kind == ElementKind::RigidTriangle || m.is_excavated;
+        self.rests &= !materials.iter().any(jumps);
+        self.list_couples(elements);
     }
 
     /// Accumulates travel and detects when it has used up the buffer.
@@ -118,6 +146,7 @@ impl Contact {
         nodes: &Nodes<2>,
         elements: &mut Elements,
         materials: &[Material],
+        bonds: Option<Bonds<'_>>,
         dt: f64,
     ) {
         let mut fastest = 0.0;
@@ -140,48 +169,71 @@ impl Contact {
             nodes,
             materials,
             buffer: self.settings.buffer,
-            all_elements: self.settings.all_elements,
+            selection: self.settings.selection,
+            bonds,
         };
         self.visits.store(&mut self.couples);
         self.detector.update(&scene, elements, &mut self.couples);
         self.work.most_couples = self.work.most_couples.max(self.couples.len());
+        self.list_couples(elements);
+    }
+
+    fn list_couples(&mut self, elements: &Elements) {
         self.visits.sort(&self.couples, &self.pairs, elements);
+        if self.is_chained {
+            self.visits.link();
+        }
     }
 
     /// Adds the contact forces of all couples and drops those that came apart.
     pub fn interact(&mut self, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) {
-        let Visits { list, corners, shapes, motions, .. } = &mut self.visits;
-        update_participants(corners, nodes, shapes, motions);
-        let step = Step {
-            shapes,
-            motions,
-            corners,
+        self.visits.bodies.update(nodes);
+        let mut list = std::mem::take(&mut self.visits.list);
+        let mut evaluator = std::mem::take(&mut self.evaluator);
+        let done = evaluator.evaluate(&self.step(dt), &mut list, forces);
+        self.evaluator = evaluator;
+        self.visits.list = list;
+        self.take_stock(done);
+    }
+
+    /// The same for scenes with fractures, couple after couple. `tally` takes
+    /// the sums of each element.
+    pub fn interact_in_order(
+        &mut self,
+        nodes: &Nodes<2>,
+        dt: f64,
+        faces: &impl FractureFaces,
+        tally: Option<&mut Tally>,
+        forces: &mut [Vec2],
+    ) {
+        self.visits.bodies.update(nodes);
+        let mut list = std::mem::take(&mut self.visits.list);
+        let model = self.settings.friction;
+        let done = evaluate_in_order(&self.step(dt), &mut list, model, faces, tally, forces);
+        self.visits.list = list;
+        self.take_stock(done);
+    }
+
+    fn step(&self, dt: f64) -> Step<'_> {
+        let bodies = &self.visits.bodies;
+        Step {
+            shapes: &bodies.shapes,
+            motions: &bodies.motions,
+            corners: &bodies.corners,
             pairs: &self.pairs,
             dt,
             buffer: self.settings.buffer,
             path: self.path,
             advance: self.advance,
             rests: self.rests,
-        };
-        let done = self.evaluator.evaluate(&step, list, forces);
+        }
+    }
+
+    fn take_stock(&mut self, done: Done) {
         self.work.evaluated += done.evaluated;
-        self.work.rested += list.len() as u64 - done.evaluated;
+        self.work.rested += self.visits.list.len() as u64 - done.evaluated;
         if done.dropped {
             self.visits.remove_dropped(&mut self.couples);
         }
-    }
-}
-
-/// Present shapes and velocities of the elements that take part in couples.
-fn update_participants(
-    corners: &[[u32; 3]],
-    nodes: &Nodes<2>,
-    shapes: &mut [Shape],
-    motions: &mut [Motion],
-) {
-    for ((shape, motion), &[p, q, r]) in shapes.iter_mut().zip(motions).zip(corners) {
-        let of = |values: &[Vec2]| [values[p as usize], values[q as usize], values[r as usize]];
-        *shape = Shape::new(of(&nodes.current));
-        *motion = Motion::new(of(&nodes.velocity));
     }
 }

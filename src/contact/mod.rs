@@ -1,21 +1,25 @@
 //! Contact: when and between which elements it is looked for, the list of
 //! couples, and the potential force of one couple.
 
+mod bonds;
 mod clearance;
 mod couples;
 mod detection;
 mod evaluation;
 mod friction;
+mod in_order;
 mod interaction;
 mod overlap2;
 mod placement;
 mod profile;
 mod visits;
 
+pub use bonds::Bonds;
 pub use clearance::clearance;
 pub use couples::CoupleList;
 pub use detection::{Detector, Participants};
-pub use friction::{PairProperties, PairTable};
+pub use friction::PairTable;
+pub use in_order::{FractureFace, FractureFaces, Tally};
 pub use interaction::{Contact, CoupleWork};
-pub use overlap2::{Couple, Proximity, SideForces, overlap};
+pub use overlap2::{Couple, EdgeContact, Proximity, SideForces, TangentialLaw, overlap};
 pub use placement::{AreaCoordinates, Lanes, Motion, Shape};

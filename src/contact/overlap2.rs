@@ -7,11 +7,10 @@
 //! follows the sliding accumulated on that edge.
 
 use super::{
-    friction::PairProperties,
     placement::{AreaCoordinates, Lanes, Motion, Placement, Shape},
     profile::Integrals,
 };
-use crate::mechanics::Vec2;
+use crate::{mechanics::Vec2, scene::PairProperties};
 
 /// Contact forces caused by the edges of one triangle of a couple.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -74,6 +73,35 @@ pub struct Couple<'a> {
     pub drop_distance_squared: f64,
 }
 
+/// The piece of an edge that lies inside the other triangle.
+#[derive(Debug, Clone, Copy)]
+pub struct EdgeContact {
+    /// Whose edge it is: 0 the target's, 1 the contactor's.
+    pub side: usize,
+    /// Number of the edge.
+    pub edge: usize,
+    /// Outward normal of the edge, as long as the edge, m.
+    pub normal: Vec2,
+    /// Relative velocity along the edge times its length, m²/s.
+    pub sliding_velocity: f64,
+    /// Normal force per length of the edge, N/m.
+    pub normal_force: f64,
+}
+
+/// How the tangential force on an edge follows from its sliding.
+pub trait TangentialLaw {
+    /// The force, and the sliding as the force leaves it.
+    fn force(&mut self, contact: &EdgeContact, sliding: &mut f64) -> f64;
+}
+
+/// Coulomb's law with the properties of the pair of materials.
+impl TangentialLaw for &PairProperties {
+    #[inline(always)]
+    fn force(&mut self, contact: &EdgeContact, sliding: &mut f64) -> f64 {
+        self.tangential_force(sliding, contact.normal_force)
+    }
+}
+
 /// Forces between the two triangles of a couple. `sliding` holds the sliding
 /// accumulated on the three edges of the target and the three of the contactor,
 /// m². The forces go to `sides`: from the edges of the target, then from those
@@ -81,6 +109,7 @@ pub struct Couple<'a> {
 #[inline(always)]
 pub fn overlap(
     couple: &Couple<'_>,
+    law: &mut impl TangentialLaw,
     sliding: &mut [f64; 6],
     sides: &mut [SideForces; 2],
 ) -> Proximity {
@@ -95,8 +124,8 @@ pub fn overlap(
     }
     let (of_target, of_contactor) = sliding.split_at_mut(3);
     let [inside_other, inside_target] = &placement.coordinates;
-    cut_side(couple, 0, cut[0], inside_other, of_target, target);
-    cut_side(couple, 1, cut[1], inside_target, of_contactor, contactor);
+    cut_side(couple, law, 0, cut[0], inside_other, of_target, target);
+    cut_side(couple, law, 1, cut[1], inside_target, of_contactor, contactor);
     Proximity::Near
 }
 
@@ -104,6 +133,7 @@ pub fn overlap(
 #[inline(always)]
 fn cut_side(
     couple: &Couple<'_>,
+    law: &mut impl TangentialLaw,
     t: usize,
     cut: u32,
     coordinates: &AreaCoordinates,
@@ -131,11 +161,14 @@ fn cut_side(
         };
         let (own, other) = (couple.motions[t], couple.motions[1 - t]);
         let (x, y) = (relative(&own.x, &other.x), relative(&own.y, &other.y));
-        sliding[i] += (-x * normal.y + y * normal.x) * couple.dt;
+        let sliding_velocity = -x * normal.y + y * normal.x;
+        sliding[i] += sliding_velocity * couple.dt;
         let total = integrals.total * couple.pair.penalty * 1.5;
         let at_end = integrals.moment * couple.pair.penalty * 0.5;
         let at_start = total - at_end;
-        let tangential = couple.pair.tangential_force(&mut sliding[i], total);
+        let contact =
+            EdgeContact { side: t, edge: i, normal, sliding_velocity, normal_force: total };
+        let tangential = law.force(&contact, &mut sliding[i]);
         let (t_start, t_end) = share(tangential, at_start, at_end, total);
         for (node, n, s) in [(i, at_start, t_start), (j, at_end, t_end)] {
             let f = &mut side.own[node];
@@ -184,7 +217,7 @@ mod tests {
     #[test]
     fn forces_equal_the_worked_example() {
         let mut sides = [SideForces::default(); 2];
-        let _ = overlap(&couple(&AT.map(Shape::new)), &mut [0.0; 6], &mut sides);
+        let _ = overlap(&couple(&AT.map(Shape::new)), &mut &PAIR, &mut [0.0; 6], &mut sides);
         let mut forces = [Vec2::zeros(); 6];
         let nodes = [[0, 1, 2], [3, 4, 5]];
         for t in 0..2 {
@@ -212,7 +245,7 @@ mod tests {
             }
             let mut sides = [SideForces::default(); 2];
             let shapes = corners.map(Shape::new);
-            let proximity = overlap(&couple(&shapes), &mut [0.0; 6], &mut sides);
+            let proximity = overlap(&couple(&shapes), &mut &PAIR, &mut [0.0; 6], &mut sides);
             assert!(!sides[0].acts && !sides[1].acts);
             assert_eq!(proximity, expected);
         }

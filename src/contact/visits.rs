@@ -6,7 +6,10 @@ use super::{
     friction::PairTable,
     placement::{Motion, Shape},
 };
-use crate::scene::Elements;
+use crate::{
+    mechanics::Vec2,
+    scene::{Elements, Nodes},
+};
 
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
@@ -19,16 +22,23 @@ pub(super) struct Visit {
     /// Sliding accumulated on the edges of target and contactor, m²: lent by
     /// the couple's slot until the list is made anew or the couple is dropped.
     pub sliding: [f64; 6],
-    /// Rank of the pair of materials.
+    /// Rank of the pair of materials in the order of visits.
     pub rank: u32,
+    /// Index of the couple's contact properties.
+    pub pair: u32,
     /// Places of target and contactor among the participants.
     pub participants: [u32; 2],
     /// Evaluations to go before it is asked again whether the couple may rest.
     pub patience: u8,
     /// Whether the couple came apart in this step.
     pub is_dropped: bool,
-    contactor: u32,
-    slot: u32,
+    pub contactor: u32,
+    pub target: u32,
+    pub slot: u32,
+    /// Places in the list of the couples before and after this one in the chain
+    /// of its contactor, [`NOWHERE`] if there are none.
+    before: u32,
+    after: u32,
     /// Order of listing: by contactor, then newest first.
     listed: u32,
 }
@@ -37,14 +47,67 @@ pub(super) struct Visit {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Visits {
     pub list: Vec<Visit>,
-    /// Corner nodes of the participants.
+    pub bodies: Bodies,
+    /// Couples in the order of listing.
+    order: Vec<u32>,
+}
+
+/// The elements that take part in a couple.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bodies {
+    /// Corner nodes.
     pub corners: Vec<[u32; 3]>,
-    /// Present shapes of the participants.
+    /// Present shapes.
     pub shapes: Vec<Shape>,
-    /// Present velocities of the participants' corners.
+    /// Present velocities of the corners.
     pub motions: Vec<Motion>,
-    /// Place of each element among the participants.
+    /// Place of each element among them.
     place: Vec<u32>,
+}
+
+impl Bodies {
+    fn clear(&mut self, elements: usize) {
+        self.corners.clear();
+        self.place.clear();
+        self.place.resize(elements, NOWHERE);
+    }
+
+    fn place_of(&mut self, element: u32, elements: &Elements) -> u32 {
+        let place = &mut self.place[element as usize];
+        if *place == NOWHERE {
+            *place = self.corners.len() as u32;
+            self.corners.push(elements.corners::<3>(element as usize).map(|n| n as u32));
+        }
+        *place
+    }
+
+    fn complete(&mut self) {
+        self.shapes.resize(self.corners.len(), Shape::default());
+        self.motions.resize(self.corners.len(), Motion::default());
+    }
+
+    /// Takes over the present positions and velocities.
+    pub fn update(&mut self, nodes: &Nodes<2>) {
+        let Self { corners, shapes, motions, .. } = self;
+        for ((shape, motion), &[p, q, r]) in shapes.iter_mut().zip(motions).zip(&*corners) {
+            let of = |values: &[Vec2]| [values[p as usize], values[q as usize], values[r as usize]];
+            *shape = Shape::new(of(&nodes.current));
+            *motion = Motion::new(of(&nodes.velocity));
+        }
+    }
+}
+
+/// Takes a couple that comes apart out of its chain. As in the original the
+/// next couple of the chain loses its last sliding.
+pub(super) fn unlink(list: &mut [Visit], index: usize) {
+    let (before, after) = (list[index].before, list[index].after);
+    if let Some(visit) = list.get_mut(after as usize) {
+        visit.sliding[5] = 0.0;
+        visit.before = before;
+    }
+    if let Some(visit) = list.get_mut(before as usize) {
+        visit.after = after;
+    }
 }
 
 impl Visits {
@@ -60,9 +123,7 @@ impl Visits {
     /// first. What the old list holds must have been stored.
     pub fn sort(&mut self, couples: &CoupleList, pairs: &PairTable, elements: &Elements) {
         self.list.clear();
-        self.corners.clear();
-        self.place.clear();
-        self.place.resize(elements.len(), NOWHERE);
+        self.bodies.clear(elements.len());
         for contactor in 0..elements.len() as u32 {
             for slot in couples.of(contactor) {
                 let target = couples.target(slot);
@@ -74,11 +135,15 @@ impl Visits {
                     rest: couples.rest(slot),
                     sliding: *couples.sliding(slot),
                     rank,
-                    participants: [target, contactor].map(|e| self.place_of(e, elements)),
+                    pair: pairs.along_fracture(elements, contactor, target).unwrap_or(rank),
+                    participants: [target, contactor].map(|e| self.bodies.place_of(e, elements)),
                     patience: 0,
                     is_dropped: false,
                     contactor,
+                    target,
                     slot,
+                    before: NOWHERE,
+                    after: NOWHERE,
                     listed: self.list.len() as u32,
                 };
                 self.list.push(visit);
@@ -87,17 +152,22 @@ impl Visits {
         // the order of listing as second key makes the sort stable, without the
         // buffer that a stable sort allocates
         self.list.sort_unstable_by_key(|visit| (visit.rank, visit.listed));
-        self.shapes.resize(self.corners.len(), Shape::default());
-        self.motions.resize(self.corners.len(), Motion::default());
+        self.bodies.complete();
     }
 
-    fn place_of(&mut self, element: u32, elements: &Elements) -> u32 {
-        let place = &mut self.place[element as usize];
-        if *place == NOWHERE {
-            *place = self.corners.len() as u32;
-            self.corners.push(elements.corners::<3>(element as usize).map(|n| n as u32));
+    /// Links the couples of each contactor in the order of their chain.
+    pub fn link(&mut self) {
+        self.order.clear();
+        self.order.extend(0..self.list.len() as u32);
+        let list = &self.list;
+        self.order.sort_unstable_by_key(|&index| list[index as usize].listed);
+        for pair in 0..self.order.len().saturating_sub(1) {
+            let (a, b) = (self.order[pair], self.order[pair + 1]);
+            if self.list[a as usize].contactor == self.list[b as usize].contactor {
+                self.list[a as usize].after = b;
+                self.list[b as usize].before = a;
+            }
         }
-        *place
     }
 
     /// Removes the couples that came apart, in the order of evaluation: the

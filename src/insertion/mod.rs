@@ -6,8 +6,9 @@
 
 mod joints;
 mod refine;
+mod trace;
 
-use crate::scene::{Elements, Insertion, Material, Nodes, Scene};
+use crate::scene::{Elements, FractureNetwork, Insertion, Material, Nodes, Scene};
 use thiserror::Error;
 
 /// Number of passes, enough for the digits of any code.
@@ -51,7 +52,9 @@ pub fn room_needed(scene: &Scene) -> Option<Room> {
     let mut insertion = scene.insertion.take()?;
     insertion.node_capacity = MOST_COUNTED;
     insertion.element_capacity = MOST_COUNTED;
-    execute(&mut insertion, &mut scene.nodes, &mut scene.elements, &mut scene.materials).ok()?;
+    let network = scene.fracture_network.as_ref();
+    let (nodes, elements) = (&mut scene.nodes, &mut scene.elements);
+    execute(&mut insertion, nodes, elements, &mut scene.materials, network).ok()?;
     Some(Room { nodes: scene.nodes.len(), elements: scene.elements.len() })
 }
 
@@ -71,6 +74,7 @@ struct Mesh<'a> {
     elements: &'a mut Elements,
     materials: &'a [Material],
     insertion: &'a Insertion,
+    network: Option<&'a FractureNetwork>,
     stage: &'static str,
 }
 
@@ -110,6 +114,7 @@ pub fn execute(
     nodes: &mut Nodes<2>,
     elements: &mut Elements,
     materials: &mut [Material],
+    network: Option<&FractureNetwork>,
 ) -> Result<InsertionReport, CapacityError> {
     for pair in &insertion.pairs {
         let [p, q] = pair.materials;
@@ -121,7 +126,7 @@ pub fn execute(
     let mut report = InsertionReport::default();
     let mut codes: Vec<i64> = insertion.combinations.iter().map(|c| c.code).collect();
     for _ in 0..PASSES {
-        execute_pass(&mut codes, insertion, nodes, elements, materials, &mut report)?;
+        execute_pass(&mut codes, insertion, nodes, elements, materials, network, &mut report)?;
     }
     for combination in &mut insertion.combinations {
         combination.code = 0;
@@ -135,14 +140,14 @@ fn execute_pass(
     nodes: &mut Nodes<2>,
     elements: &mut Elements,
     materials: &[Material],
+    network: Option<&FractureNetwork>,
     report: &mut InsertionReport,
 ) -> Result<(), CapacityError> {
     // elements and nodes made in this pass are not processed in it, and the
-    // lists of mid nodes and joints are shared by its combinations
+    // lists of mid nodes are shared by its combinations
     let (old_elements, old_nodes) = (elements.len(), nodes.len());
     let properties = elements.property.clone();
     let mut mid_nodes = refine::MidNodes::new(old_nodes);
-    let mut joint_list = joints::JointList::new(old_nodes);
     for (code, combination) in codes.iter_mut().zip(&insertion.combinations) {
         let digit = *code % 10;
         *code /= 10;
@@ -160,14 +165,14 @@ fn execute_pass(
         };
         let tagged: Vec<usize> = (0..old_elements).filter(listed).collect();
         let first = combination.materials.first().copied();
-        let mut mesh = Mesh { nodes, elements, materials, insertion, stage: "refinement" };
+        let mut mesh = Mesh { nodes, elements, materials, insertion, network, stage: "refinement" };
         report.executed += 1;
         match digit {
             1 => refine::into_four(&mut mesh, &tagged, first, &mut mid_nodes)?,
             2 => refine::into_six(&mut mesh, &tagged, first, &mut mid_nodes)?,
             3 => {
                 mesh.stage = "joint insertion";
-                joints::insert(&mut mesh, &tagged, old_nodes, &mut joint_list)?;
+                joints::insert(&mut mesh, &tagged, old_nodes)?;
             }
             4 => {
                 mesh.stage = "separation";

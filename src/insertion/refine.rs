@@ -1,7 +1,7 @@
 //! Refinement of triangles into 4 or 6 (spec `y2d3d.md` D.2).
 
 use super::{CapacityError, Mesh};
-use crate::TOLERANCE;
+use crate::{TOLERANCE, scene::JointKind};
 
 /// Mid nodes made in a pass, kept at the higher node of their edge.
 pub(super) struct MidNodes {
@@ -99,7 +99,7 @@ fn push_centre(mesh: &mut Mesh<'_>, v: [usize; 3]) -> usize {
 
 fn append_triangle(mesh: &mut Mesh<'_>, original: usize, corners: [usize; 3]) {
     let property = mesh.elements.property[original];
-    let element = mesh.elements.push([-1; 6], property);
+    let element = mesh.elements.push([-1; 6], property, JointKind::NoJoint);
     mesh.elements.set_corners(element, corners);
     let damage_row = usize::try_from(property)
         .ok()

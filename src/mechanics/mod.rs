@@ -4,6 +4,7 @@
 //! `y2d3d.md` (sections C, D and H), without fused multiply-add and without
 //! reassociation, so that states equal the original's bit for bit.
 
+pub mod aperture;
 pub mod edge_load;
 pub mod joint2;
 pub mod rigid_triangle;

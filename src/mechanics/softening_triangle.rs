@@ -52,8 +52,8 @@ pub fn loss(damage: f64) -> f64 {
     if damage > -TOLERANCE { (damage * damage * damage).min(1.0) } else { 0.0 }
 }
 
-/// Cauchy stress, Pa. In extension the volumetric part lacks the factor ½ of
-/// the elastic triangle: a quirk of the original that is kept.
+/// Cauchy stress, Pa. In extension the volumetric part lacks the factor ½ that
+/// the split dialect has in compression: a quirk of the original that is kept.
 #[must_use]
 pub fn cauchy_stress(
     elasticity: &Elasticity,
@@ -65,7 +65,7 @@ pub fn cauchy_stress(
         kinematics.deviator_like(elasticity, reference).map(|component| (1.0 - loss) * component);
     let volumetric = kinematics.volumetric(elasticity, reference);
     let pressure = if kinematics.double_area < reference.double_area {
-        volumetric / 2.0
+        volumetric * elasticity.volumetric_share
     } else {
         (1.0 - loss) * volumetric
     };

@@ -8,7 +8,7 @@
 use super::Vec2;
 use nalgebra::Matrix2;
 
-/// Elastic constants and viscosity of a triangle.
+/// Elastic constants and viscosity of a neo-Hookean triangle.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Elasticity {
     /// First Lamé constant λ, Pa.
@@ -17,6 +17,53 @@ pub struct Elasticity {
     pub shear_modulus: f64,
     /// Viscosity η, Pa·s.
     pub viscosity: f64,
+    /// Share of λ (J − 1/J) in the stress: ½ where λ is nominal (split), 1 in
+    /// the classic dialect and Y-Geo.
+    pub volumetric_share: f64,
+}
+
+/// Stress that depends linearly on the strain E = ½(B − I) (spec `mechanics.md`
+/// 2.2: plane stress, plane strain and transverse isotropy of Y-Geo).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LinearElasticity {
+    /// Factor on the normal stresses σxx and σyy, Pa.
+    pub stiffness: [f64; 2],
+    /// Share of the strain along the same axis.
+    pub own: [f64; 2],
+    /// Share of the strain along the other axis.
+    pub cross: [f64; 2],
+    /// Factor on the shear strain, Pa.
+    pub shear: f64,
+    /// Viscosity η, Pa·s.
+    pub viscosity: f64,
+}
+
+/// Law of an elastic triangle.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum StressLaw {
+    /// Compressible neo-Hookean.
+    NeoHookean(Elasticity),
+    /// Linear in the strain.
+    Linear(LinearElasticity),
+}
+
+impl LinearElasticity {
+    /// Cauchy stress, Pa.
+    #[must_use]
+    fn stress(&self, kinematics: &Kinematics) -> Matrix2<f64> {
+        let b = &kinematics.left_cauchy_green;
+        let strain = Matrix2::from_fn(|i, j| 0.5 * b[(i, j)] - if i == j { 0.5 } else { 0.0 });
+        let rate = &kinematics.rate_of_deformation;
+        Matrix2::from_fn(|i, j| {
+            let elastic = if i == j {
+                let other = strain[(1 - i, 1 - i)];
+                self.stiffness[i] * (self.own[i] * strain[(i, i)] + self.cross[i] * other)
+            } else {
+                self.shear * strain[(i, j)]
+            };
+            elastic + self.viscosity * rate[(i, j)]
+        })
+    }
 }
 
 /// Undeformed shape of a triangle, computed once.
@@ -103,17 +150,23 @@ impl Kinematics {
 #[inline(always)]
 #[must_use]
 pub fn cauchy_stress(
-    elasticity: &Elasticity,
+    law: &StressLaw,
     reference: &ReferenceShape,
     corners: &[Vec2; 3],
     velocities: &[Vec2; 3],
 ) -> Matrix2<f64> {
     let kinematics = Kinematics::new(reference, corners, velocities);
-    let mut stress = kinematics.deviator_like(elasticity, reference);
-    let pressure = kinematics.volumetric(elasticity, reference) * 0.5;
-    stress[(0, 0)] += pressure;
-    stress[(1, 1)] += pressure;
-    stress
+    match law {
+        StressLaw::NeoHookean(elasticity) => {
+            let mut stress = kinematics.deviator_like(elasticity, reference);
+            let volumetric = kinematics.volumetric(elasticity, reference);
+            let pressure = volumetric * elasticity.volumetric_share;
+            stress[(0, 0)] += pressure;
+            stress[(1, 1)] += pressure;
+            stress
+        }
+        StressLaw::Linear(elasticity) => elasticity.stress(&kinematics),
+    }
 }
 
 /// Force of the stress on each node, N.

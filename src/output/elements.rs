@@ -1,7 +1,7 @@
 //! Which elements a d3plot file shows, and as which material.
 
 use crate::{
-    scene::{BROKEN_JOINT, Scene},
+    scene::{JointKind, Scene},
     simulation::Simulation,
 };
 
@@ -14,9 +14,9 @@ use crate::{
 #[must_use]
 pub fn shown_elements(scene: &Scene) -> Vec<usize> {
     (0..scene.elements.len())
-        .filter(|&e| {
-            let property = scene.elements.property[e];
-            property >= 0 || property == BROKEN_JOINT
+        .filter(|&e| match scene.elements.joint_kind[e] {
+            JointKind::NoJoint => scene.elements.property[e] >= 0,
+            kind => kind != JointKind::FreeEdge,
         })
         .collect()
 }
@@ -34,7 +34,7 @@ pub fn is_joint(scene: &Scene, element: usize) -> bool {
 pub fn material_number(scene: &Scene, element: usize) -> i32 {
     let property = scene.elements.property[element];
     let materials = scene.materials.len() as i32;
-    if property < 0 {
+    if property < 0 || scene.elements.joint_kind[element].is_fracture() {
         return 0;
     }
     if property < materials {
@@ -48,7 +48,7 @@ pub fn material_number(scene: &Scene, element: usize) -> i32 {
 #[must_use]
 pub fn original_material_number(simulation: &Simulation, element: usize) -> i32 {
     let scene = simulation.scene();
-    if scene.elements.property[element] == BROKEN_JOINT {
+    if scene.elements.joint_kind[element] == JointKind::Broken {
         let failure = simulation.failures().iter().find(|f| f.element == element);
         return material_of_joint_set(scene, failure.map_or(0, |f| f.law as i32));
     }

@@ -85,7 +85,12 @@ pub fn write_state(mut output: impl Write, simulation: &Simulation) -> io::Resul
     }
     writeln!(output, "# element: id property nodes...")?;
     for e in 0..elements.len() {
-        write!(output, "{e} {}", elements.property[e])?;
+        let code = scene.conventions.property_code(
+            elements.property[e],
+            elements.joint_kind[e],
+            scene.materials.len(),
+        );
+        write!(output, "{e} {code}")?;
         for row in 0..elements.table_rows {
             write!(output, " {}", elements.nodes[e].get(row).copied().unwrap_or(-1))?;
         }

@@ -1,4 +1,4 @@
-use nalgebra::SMatrix;
+use nalgebra::{Matrix2, SMatrix};
 
 /// What a node set prescribes along one local axis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -9,6 +9,9 @@ pub enum Condition {
     Acceleration,
     /// The amplitude is the velocity itself, m/s.
     Velocity,
+    /// As [`Self::Force`], and edges between two such nodes damp the motion as if
+    /// the material went on behind them (Y-Geo).
+    Absorbing,
     /// The velocity component keeps its value whatever the forces (code −1,
     /// the default of the original in 2D).
     Frozen,
@@ -26,8 +29,61 @@ pub struct NodeSet<const D: usize> {
     pub pressure: f64,
     /// Traction along such edges, Pa, positive counter-clockwise.
     pub traction: f64,
+    /// Factor on pressure and traction at the start; the load history where there
+    /// is one.
+    pub edge_factor: f64,
+    /// What is added to that factor in each step (classic).
+    pub edge_factor_step: f64,
     /// Columns are the local axes.
     pub axes: SMatrix<f64, D, D>,
+    /// Whether its nodes are moved at all: in the classic dialect only sets of
+    /// the type of nodes are.
+    pub moves: bool,
+}
+
+/// Staged loading of the classic dialect: nothing until the scene has settled,
+/// then a linear rise (spec `mechanics.md` 3.1).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LoadRamp {
+    /// Time at which loads begin to rise, s.
+    pub start: f64,
+    /// Duration of the rise, s.
+    pub duration: f64,
+}
+
+impl LoadRamp {
+    /// Factor on all loads but gravity at `time`.
+    #[must_use]
+    pub fn factor(&self, time: f64) -> f64 {
+        if time < self.start {
+            0.0
+        } else if time < self.start + self.duration {
+            (time - self.start) / self.duration
+        } else {
+            1.0
+        }
+    }
+}
+
+/// Stress that the ground is under from the start (Y-Geo, spec `mechanics.md` 7.3).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct InSituStress {
+    /// σxx, σxy, σyy at the surface, Pa, positive in compression.
+    pub at_surface: [f64; 3],
+    /// Their change with the height above the surface, Pa/m.
+    pub gradient: [f64; 3],
+    /// Height of the surface, m.
+    pub surface: f64,
+}
+
+impl InSituStress {
+    /// Stress at a height, Pa, positive in tension.
+    #[must_use]
+    pub fn at(&self, height: f64) -> Matrix2<f64> {
+        let above = height - self.surface;
+        let component = |k: usize| -self.at_surface[k] - self.gradient[k] * above;
+        Matrix2::new(component(0), component(1), component(1), component(2))
+    }
 }
 
 /// Factor on the amplitudes of each node set as a function of time.

@@ -1,10 +1,30 @@
 use nalgebra::SVector;
 
-/// Property code of a joint that has failed: it carries nothing any more.
-pub const BROKEN_JOINT: i32 = -1001;
-/// Property code of a joint on a free edge, closed when joints were inserted:
-/// it has element number but no faces to hold together, and no output record.
-pub const CLOSED_EDGE: i32 = -1000;
+/// What an element is to the joints: the codes are those of the classic deck
+/// (spec `deck.md` 3.2, I1ELTY).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum JointKind {
+    /// A triangle, or an element of another type.
+    #[default]
+    NoJoint = -1,
+    /// A joint that holds two triangles together.
+    Intact = 0,
+    /// A joint on a free edge, closed when joints were inserted: it has an
+    /// element number but no second face.
+    FreeEdge = 1,
+    /// A fracture that was there before the run.
+    PreExisting = 2,
+    /// A joint that has failed: it carries no cohesive force any more.
+    Broken = 3,
+}
+
+impl JointKind {
+    /// Whether it is an open fracture, old or new.
+    #[must_use]
+    pub fn is_fracture(self) -> bool {
+        matches!(self, Self::PreExisting | Self::Broken)
+    }
+}
 
 /// Nodal state in `D` dimensions, one entry per node in deck order.
 #[derive(Debug, Clone, Default)]
@@ -57,8 +77,14 @@ pub struct Elements {
     /// Node numbers, −1 where there is none. Triangles use three (counter-
     /// clockwise), 2D joints four: 0–1 along the first side, 2 faces 1, 3 faces 0.
     pub nodes: Vec<[i32; 6]>,
-    /// Property code (see [`super::Scene`]).
+    /// Property set (see [`super::Scene`]).
     pub property: Vec<i32>,
+    /// What each element is to the joints.
+    pub joint_kind: Vec<JointKind>,
+    /// Fracture of the network that a joint or a triangle's edge lies on, −1 for none.
+    pub fracture: Vec<i32>,
+    /// The two triangles of each joint, −1 where there is none or none is known.
+    pub sides: Vec<[i32; 2]>,
     /// Contact tag: elements with equal tags never touch, elements without a
     /// positive tag take no part. Elements with a boundary node get their own.
     pub contact_tag: Vec<i32>,
@@ -96,10 +122,26 @@ impl Elements {
         }
     }
 
+    /// Removes an element; those behind it move down by one.
+    pub fn remove(&mut self, element: usize) {
+        self.nodes.remove(element);
+        self.property.remove(element);
+        self.joint_kind.remove(element);
+        self.fracture.remove(element);
+        self.sides.remove(element);
+        self.contact_tag.remove(element);
+        for row in &mut self.state {
+            row.remove(element);
+        }
+    }
+
     /// Appends an element without contact tag whose state variables are zero.
-    pub fn push(&mut self, nodes: [i32; 6], property: i32) -> usize {
+    pub fn push(&mut self, nodes: [i32; 6], property: i32, joint_kind: JointKind) -> usize {
         self.nodes.push(nodes);
         self.property.push(property);
+        self.joint_kind.push(joint_kind);
+        self.fracture.push(-1);
+        self.sides.push([-1; 2]);
         self.contact_tag.push(-1);
         for row in &mut self.state {
             row.push(0.0);

@@ -1,3 +1,5 @@
+use super::Interfaces;
+
 /// Refinement and joint insertion to be done in the first step.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Insertion {
@@ -5,6 +7,8 @@ pub struct Insertion {
     pub combinations: Vec<Combination>,
     /// Joint set between pairs of materials, in deck order.
     pub pairs: Vec<JointPair>,
+    /// What becomes of edges without neighbour.
+    pub interfaces: Interfaces,
     /// Number of nodes that the deck leaves room for.
     pub node_capacity: usize,
     /// Number of elements that the deck leaves room for.

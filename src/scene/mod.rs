@@ -6,31 +6,49 @@
 mod boundary;
 mod contact;
 mod control;
+mod conventions;
+mod fracture_network;
 mod from_deck;
+mod joint_restart;
 mod materials;
 mod mesh;
 mod meshing;
 mod probes;
+mod rock_joint;
+mod snapshots;
 
-pub use boundary::{Condition, LoadHistory, NodeSet};
-pub use contact::ContactSettings;
+pub use boundary::{Condition, InSituStress, LoadHistory, LoadRamp, NodeSet};
+pub use contact::{ContactSettings, FrictionModel, PairProperties, PairRow, PairRule};
 pub use control::Control;
+pub use conventions::{
+    BROKEN_OFFSET, BondedPairs, ChainAfterDrop, CohesiveModel, ContactSelection, ContactSum,
+    Conventions, ForceOrder, HistoryLines, Interfaces, OutputTime, Refresh, SPLIT_BROKEN,
+    SPLIT_FREE_EDGE, VolumetricShare,
+};
+pub use fracture_network::{Fracture, FractureNetwork, FractureTreatment, SeismicMethod};
 pub use from_deck::{BuildOutcome, Profile, from_deck, update_scene};
-pub use materials::{CohesiveLaw, ElementKind, Material};
-pub use mesh::{BROKEN_JOINT, CLOSED_EDGE, Elements, Nodes};
+pub use joint_restart::JointRestart;
+pub use materials::{
+    CohesiveLaw, ElasticLaw, ElementKind, Isotropy, Layering, Material, TransverseIsotropy,
+};
+pub use mesh::{Elements, JointKind, Nodes};
 pub use meshing::{Combination, Insertion, JointPair};
 pub use probes::{Probe, ProbeQuantity};
+pub use rock_joint::{InitialAperture, RockJoint};
+pub use snapshots::SnapshotSettings;
 
 /// A planar scene of the split dialect, ready to be simulated.
 ///
 /// Indices are 0-based deck numbers throughout. Property codes of elements:
 /// `0..materials.len()` is a continuum element of that material,
-/// `materials.len() + s` a live joint of cohesive law `s`, and the negative
-/// codes [`BROKEN_JOINT`] and [`CLOSED_EDGE`] are joints that carry nothing.
+/// `materials.len() + s` a joint of cohesive law `s`; which joints are intact
+/// says [`Elements::joint_kind`].
 #[derive(Debug, Clone)]
 pub struct Scene {
     /// Base name of the output files (spec `y2d3d.md` G.1).
     pub name: String,
+    /// What the deck's program does in its own way.
+    pub conventions: Conventions,
     /// Time stepping and output intervals.
     pub control: Control,
     /// Nodal state at the start.
@@ -45,6 +63,22 @@ pub struct Scene {
     pub node_sets: Vec<NodeSet<2>>,
     /// Load-time history of the node sets, if the deck has one.
     pub load_history: Option<LoadHistory>,
+    /// Staged loading (classic).
+    pub ramp: Option<LoadRamp>,
+    /// Stress that all elastic triangles are under from the start (Y-Geo).
+    pub in_situ: Option<InSituStress>,
+    /// Fractures that are there before the run (Y-Geo).
+    pub fracture_network: Option<FractureNetwork>,
+    /// How the energy that breaking joints release is measured (Y-Geo).
+    pub seismic: SeismicMethod,
+    /// Where the aperture of old fractures comes from (classic).
+    pub initial_aperture: InitialAperture,
+    /// State of joints at the start, if the deck goes on from an earlier run (classic).
+    pub joint_restart: Option<JointRestart>,
+    /// Snapshots and restart decks (classic).
+    pub snapshots: Option<SnapshotSettings>,
+    /// Whether joints unload along another path than they soften (Y-Geo).
+    pub hysteretic_joints: bool,
     /// Contact settings; `None` switches contact off.
     pub contact: Option<ContactSettings>,
     /// Refinement and joint insertion to do in the first step.

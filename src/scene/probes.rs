@@ -48,6 +48,8 @@ pub struct Probe {
     pub point: [f64; 2],
     /// Value before the first update.
     pub initial_value: f64,
+    /// Time that the value before the first update is of, s.
+    pub initial_time: f64,
     /// Factor on the time when written.
     pub time_factor: f64,
     /// Factor on the value when written.

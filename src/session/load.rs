@@ -1,7 +1,7 @@
 use crate::{
     insertion::{self, CapacityError, Room},
     output::OutputNames,
-    scene::{Profile, from_deck},
+    scene::{Conventions, Profile, from_deck},
     simulation::{Simulation, SolverOptions},
 };
 use std::{io, path::Path, path::PathBuf};
@@ -126,24 +126,29 @@ pub(super) fn anchored(finding: Diagnostic, deck: &Deck, stage: &Stage) -> Diagn
 }
 
 fn check_dialect(deck: &Deck, findings: &mut Vec<Diagnostic>) {
-    if deck.dialect() != Dialect::Split && !findings.iter().any(Diagnostic::is_error) {
+    if Conventions::of(deck.dialect()).is_none() && !findings.iter().any(Diagnostic::is_error) {
         findings.push(
             Diagnostic::error(
                 "deck::dialect-not-simulated",
-                format!("this is a deck of the {} dialect, which is read but not simulated yet", deck.dialect()),
+                format!(
+                    "this is a deck of the {} dialect, which is read but not simulated yet",
+                    deck.dialect()
+                ),
             )
             .at(foreign_keyword(deck))
             .label(format!("a keyword of the {} dialect", deck.dialect()))
-            .help("decks of the split dialect (databases YDPE, YDPN, YDPJ, YDPM) run; `--dialect` forces one"),
+            .help("decks of the split, classic and Y-Geo dialects run; `--dialect` forces one"),
         );
     }
 }
 
-/// The first keyword that the split dialect does not have.
+/// The first keyword that no dialect has whose scenes are simulated.
 fn foreign_keyword(deck: &Deck) -> Option<Span> {
     let mut words = deck.assignments().filter_map(|(item, _)| deck.word_span(item));
     words.find(|&word| {
-        !dialects_knowing(deck.sources().bytes(word)).contains(&Dialect::Split.name())
+        let known = dialects_knowing(deck.sources().bytes(word));
+        let simulated = Dialect::ALL.into_iter().filter(|d| Conventions::of(*d).is_some());
+        !simulated.into_iter().any(|dialect| known.contains(&dialect.name()))
     })
 }
 

@@ -1,6 +1,6 @@
 use super::{
     Simulation,
-    edge_loads::EdgeLoads,
+    extra_loads::{ExtraLoads, LoadedTriangle},
     plan::{Batch, PlannedTriangle},
 };
 use crate::{
@@ -34,36 +34,33 @@ impl TriangleResponse {
         let [a, b, c] = planned.corners;
         let at = |values: &[Vec2]| [values[a as usize], values[b as usize], values[c as usize]];
         let corners = at(&nodes.current);
-        let stress = triangle::cauchy_stress(
-            &batch.elasticity,
-            &planned.reference,
-            &corners,
-            &at(&nodes.velocity),
-        );
+        let stress =
+            triangle::cauchy_stress(&batch.law, &planned.reference, &corners, &at(&nodes.velocity));
         Self { stress, forces: triangle::nodal_forces(&stress, &corners) }
     }
 }
 
 impl Simulation {
-    /// Stresses and internal forces of all triangles, materials ascending,
-    /// elements ascending, nodes of an element in turn, the load of the
-    /// opposite edge right after each node.
+    /// Stresses and internal forces of the triangles of a batch, elements
+    /// ascending, nodes of an element in turn, the loads of the opposite edge
+    /// right after each node.
     ///
     /// Responses may come from any thread; they are added in this order, so
     /// that sums round the same on any number of threads.
-    pub(super) fn add_element_forces(&mut self) {
+    pub(super) fn add_triangle_forces(&mut self, batch: usize) {
         let batches = std::mem::take(&mut self.plan.batches);
         let mut force = std::mem::take(&mut self.force);
-        for batch in &batches {
-            if batch.kind == ElementKind::ElasticTriangle {
-                self.add_elastic(batch, &mut force);
-            } else {
-                self.add_softening(batch, &mut force);
-            }
+        let batch = &batches[batch];
+        if batch.kind == ElementKind::ElasticTriangle {
+            self.add_elastic(batch, &mut force);
+        } else {
+            self.add_softening(batch, &mut force);
+        }
+        self.force = force;
+        if self.scene.materials[batch.material].is_excavated {
+            self.remove_from_play(batch);
         }
         self.plan.batches = batches;
-        self.force = force;
-        self.record_element_probes();
     }
 
     fn add_elastic(&mut self, batch: &Batch, force: &mut [Vec2]) {
@@ -76,7 +73,7 @@ impl Simulation {
                 *out = TriangleResponse::of_elastic(batch, planned, nodes);
             });
             for (planned, response) in batch.triangles.iter().zip(&responses) {
-                self.add_response(planned, response, force);
+                self.add_response(batch, planned, response, force);
             }
             self.responses = responses;
         } else {
@@ -87,13 +84,14 @@ impl Simulation {
     #[inline(always)]
     fn add_response(
         &mut self,
+        batch: &Batch,
         planned: &PlannedTriangle,
         response: &TriangleResponse,
         force: &mut [Vec2],
     ) {
         self.stress[planned.element as usize] = response.stress;
-        if planned.has_loaded_edge {
-            self.add_loaded_response(planned, response, force);
+        if planned.has_extras {
+            self.add_loaded_response(batch, planned, response, force);
         } else {
             for (&node, internal) in planned.corners.iter().zip(&response.forces) {
                 force[node as usize] += internal;
@@ -105,15 +103,17 @@ impl Simulation {
     #[inline(never)]
     fn add_loaded_response(
         &self,
+        batch: &Batch,
         planned: &PlannedTriangle,
         response: &TriangleResponse,
         force: &mut [Vec2],
     ) {
         let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
-        let loads = EdgeLoads::new(&self.scene, self.time);
+        let triangle = LoadedTriangle::new(&self.scene, batch, &planned.corners, &corners);
+        let loads = ExtraLoads::new(&self.scene, &self.edge_factors, self.time);
         for i in 0..3 {
             force[planned.corners[i] as usize] += response.forces[i];
-            loads.apply(i, &planned.corners, &corners, force);
+            loads.apply(i, &triangle, force);
         }
     }
 
@@ -156,6 +156,6 @@ impl Simulation {
 fn add_elastic_serially(simulation: &mut Simulation, batch: &Batch, force: &mut [Vec2]) {
     for planned in &batch.triangles {
         let response = TriangleResponse::of_elastic(batch, planned, &simulation.scene.nodes);
-        simulation.add_response(planned, &response, force);
+        simulation.add_response(batch, planned, &response, force);
     }
 }

@@ -3,26 +3,33 @@
 //! After [`Simulation::prepare`] one step is [`Simulation::evaluate_forces`], then output of the state that
 //! belongs to those forces, then [`Simulation::advance`].
 
+mod classic_joints;
 mod contact_step;
-mod edge_loads;
 mod element_forces;
+mod emission;
+mod excavation;
+mod extra_loads;
 mod fracture;
+mod fracture_lines;
 mod joint_forces;
+mod joint_records;
 mod motion;
 mod plan;
 mod probe_values;
 mod view;
 
 use crate::{
-    contact::Contact,
+    contact::{Contact, Tally},
     insertion::{self, CapacityError, InsertionReport},
     mechanics::Vec2,
-    scene::Scene,
+    scene::{CohesiveModel, ContactSum, Scene},
 };
+use classic_joints::ClassicJoints;
 use element_forces::TriangleResponse;
 use joint_forces::EvaluatedJoint;
+use joint_records::JointRecord;
 use nalgebra::Matrix2;
-use plan::Plan;
+use plan::{ForcePhase, Plan};
 
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
@@ -56,7 +63,19 @@ pub struct Simulation {
     stress: Vec<Matrix2<f64>>,
     /// Shear strength of joints and shrink ratio of softening triangles.
     strength: Vec<f64>,
+    /// Contact forces, where they are summed apart (classic), N.
+    contact_force: Vec<Vec2>,
+    /// Factor on pressure and traction of each node set.
+    edge_factors: Vec<f64>,
+    /// What Y-Geo keeps of each joint.
+    joint_records: Vec<JointRecord>,
+    /// What the classic dialect keeps of its joints.
+    classic: ClassicJoints,
+    /// Contact forces of each element in the last output step (classic).
+    tally: Tally,
     probe_values: Vec<f64>,
+    /// Time of the last refresh of each probe, s.
+    probe_times: Vec<f64>,
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
     /// Buffers of the threads' responses, reused from step to step.
@@ -82,6 +101,8 @@ impl Simulation {
             time: scene.control.start_time,
             contact: scene.contact.clone().map(contact),
             probe_values: scene.probes.iter().map(|p| p.initial_value).collect(),
+            probe_times: scene.probes.iter().map(|p| p.initial_time).collect(),
+            edge_factors: scene.node_sets.iter().map(|s| s.edge_factor).collect(),
             scene,
             plan: Plan::default(),
             options,
@@ -89,6 +110,10 @@ impl Simulation {
             mass: Vec::new(),
             stress: Vec::new(),
             strength: Vec::new(),
+            contact_force: Vec::new(),
+            joint_records: Vec::new(),
+            classic: ClassicJoints::default(),
+            tally: Tally::default(),
             kinetic_energy: 0.0,
             responses: Vec::new(),
             evaluated_joints: Vec::new(),
@@ -110,13 +135,18 @@ impl Simulation {
                 &mut scene.nodes,
                 &mut scene.elements,
                 &mut scene.materials,
+                scene.fracture_network.as_ref(),
             )?;
             self.insertion_report = Some(report);
             if let Some(contact) = self.contact.as_mut().filter(|_| report.executed > 0) {
                 contact.force_detection(2.0);
             }
         }
-        self.set_initial_strengths();
+        if self.scene.conventions.cohesive == CohesiveModel::Classic {
+            self.set_up_classic_joints();
+        } else {
+            self.set_initial_strengths();
+        }
         self.rebuild();
         Ok(())
     }
@@ -144,6 +174,14 @@ impl Simulation {
                 *value = new.initial_value;
             }
         }
+        for (factor, (old, new)) in
+            self.edge_factors.iter_mut().zip(self.scene.node_sets.iter().zip(&scene.node_sets))
+        {
+            if old.edge_factor != new.edge_factor {
+                *factor = new.edge_factor;
+            }
+        }
+        self.edge_factors.resize(scene.node_sets.len(), 1.0);
         self.scene = scene;
     }
 
@@ -151,18 +189,35 @@ impl Simulation {
     /// contact forces.
     pub fn evaluate_forces(&mut self) {
         self.clear_forces();
-        self.add_element_forces();
-        self.add_joint_forces();
+        for phase in 0..self.plan.forces.len() {
+            match self.plan.forces[phase] {
+                ForcePhase::Triangles(batch) => self.add_triangle_forces(batch),
+                ForcePhase::Joints => self.add_joint_forces(),
+                ForcePhase::EveryJoint(law) => self.add_classic_joint_forces(law),
+                ForcePhase::LoadStep(set) => {
+                    self.edge_factors[set] += self.scene.node_sets[set].edge_factor_step;
+                }
+            }
+        }
+        self.record_element_probes();
         self.add_contact_forces();
         self.record_nodal_forces();
     }
 
-    /// Second half of a step: new velocities and positions, kinetic energy,
-    /// fracture of softening triangles, time.
+    /// Second half of a step: motion, fracture of softening triangles, time.
     pub fn advance(&mut self) {
-        self.move_nodes();
-        self.move_rigid_triangles();
+        self.move_bodies();
+        self.complete_step();
+    }
+
+    /// New velocities and positions, and the kinetic energy that they have.
+    pub fn move_bodies(&mut self) {
+        self.integrate();
         self.update_kinetic_energy();
+    }
+
+    /// What follows the motion: fracture of softening triangles, time.
+    pub fn complete_step(&mut self) {
         self.fracture_triangles();
         self.time += self.scene.control.time_step;
         self.step += 1;
@@ -176,15 +231,22 @@ impl Simulation {
         self.stress.resize(self.scene.elements.len(), Matrix2::zeros());
         self.strength.resize(self.scene.elements.len(), 0.0);
         self.mass.copy_from_slice(&self.plan.nodal_mass);
+        if self.scene.conventions.contact_sum == ContactSum::Apart {
+            self.contact_force.resize(self.scene.nodes.len(), Vec2::zeros());
+        }
+        if self.scene.conventions.cohesive == CohesiveModel::YGeo {
+            self.joint_records.resize(self.scene.elements.len(), JointRecord::default());
+        }
         // room for every joint's failure: the step loop allocates nothing
         self.failures.reserve(self.plan.joints.len());
         if let Some(contact) = &mut self.contact {
-            contact.rebuild(&self.scene.elements, &self.scene.materials);
+            contact.rebuild(&self.scene);
         }
     }
 
     fn clear_forces(&mut self) {
         self.force.fill(Vec2::zeros());
+        self.contact_force.fill(Vec2::zeros());
         if self.plan.masses_change {
             self.mass.copy_from_slice(&self.plan.nodal_mass);
         }

@@ -1,10 +1,14 @@
-use super::{Simulation, plan::PlannedNode};
+use super::{
+    Simulation,
+    plan::{MotionPhase, PlannedNode},
+};
 use crate::{
     TOLERANCE,
     mechanics::{Vec2, rigid_triangle, triangle},
     scene::{Condition, NodeSet, Nodes},
 };
 use nalgebra::Matrix2;
+use std::ops::Range;
 
 /// Boundary condition of a node set at one instant.
 struct Drive {
@@ -63,7 +67,7 @@ impl Drive {
         let component = |k: usize| {
             let (v, f, a) = (velocity[k], force[k], self.amplitudes[k]);
             match self.conditions[k] {
-                Condition::Force => v + (a + f) / mass * self.dt,
+                Condition::Force | Condition::Absorbing => v + (a + f) / mass * self.dt,
                 Condition::Acceleration => v + (a + f / mass) * self.dt,
                 Condition::Velocity => a,
                 Condition::Frozen => v,
@@ -101,33 +105,50 @@ fn apply(m: &Matrix2<f64>, v: Vec2) -> Vec2 {
 }
 
 impl Simulation {
-    /// Explicit integration of all nodes with mass that belong to a node set
-    /// (spec `y2d3d.md` F.1).
-    pub(super) fn move_nodes(&mut self) {
-        let control = &self.scene.control;
-        let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
-        let history = self.scene.load_history.as_ref().filter(|h| h.is_active());
-        let nodes = &mut self.scene.nodes;
-        for of_set in self.plan.nodes.chunk_by(|a, b| a.set == b.set) {
-            let index = of_set[0].set as usize;
-            let factor = history.map_or(1.0, |h| h.factor(index, time));
-            let drive = Drive::new(&self.scene.node_sets[index], factor, gravity, dt);
-            if drive.is_free() {
-                integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
-                    drive.free_velocity(v, f, m)
-                });
-            } else {
-                integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
-                    drive.velocity(v, f, m)
-                });
+    /// Explicit integration of nodes and rigid triangles, in the plan's order.
+    pub(super) fn integrate(&mut self) {
+        for phase in 0..self.plan.motions.len() {
+            match self.plan.motions[phase].clone() {
+                MotionPhase::Nodes(range) => self.move_nodes(range),
+                MotionPhase::Rigid(range) => self.move_rigid_triangles(range),
             }
         }
     }
 
+    /// Moves the nodes of one set that have mass (spec `y2d3d.md` F.1).
+    fn move_nodes(&mut self, range: Range<usize>) {
+        let control = &self.scene.control;
+        let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
+        let of_set = &self.plan.nodes[range];
+        let index = of_set[0].set as usize;
+        let ramp = self.scene.ramp.map_or(1.0, |ramp| ramp.factor(time));
+        let history = self.scene.load_history.as_ref().filter(|h| h.is_active());
+        let factor = history.map_or(ramp, |h| h.factor(index, time));
+        let drive = Drive::new(&self.scene.node_sets[index], factor, gravity, dt);
+        if !self.contact_force.is_empty() {
+            for planned in of_set {
+                let n = planned.node as usize;
+                if self.mass[n] > TOLERANCE {
+                    self.force[n] += self.contact_force[n];
+                }
+            }
+        }
+        let nodes = &mut self.scene.nodes;
+        if drive.is_free() {
+            integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
+                drive.free_velocity(v, f, m)
+            });
+        } else {
+            integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
+                drive.velocity(v, f, m)
+            });
+        }
+    }
+
     /// Rigid triangles move under the contact forces of their nodes.
-    pub(super) fn move_rigid_triangles(&mut self) {
+    fn move_rigid_triangles(&mut self, range: Range<usize>) {
         let dt = self.scene.control.time_step;
-        for planned in &self.plan.rigid {
+        for planned in &self.plan.rigid[range] {
             let density = self.scene.materials[planned.material].density;
             let nodes = &mut self.scene.nodes;
             let corners = planned.corners.map(|n| n as usize);

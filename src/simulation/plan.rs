@@ -4,10 +4,13 @@
 use crate::{
     mechanics::{
         Vec2,
-        triangle::{Elasticity, ReferenceShape, contains},
+        triangle::{Elasticity, LinearElasticity, ReferenceShape, StressLaw, contains},
     },
-    scene::{ElementKind, ProbeQuantity, Scene},
+    scene::{
+        Condition, ElasticLaw, ElementKind, ForceOrder, JointKind, Material, ProbeQuantity, Scene,
+    },
 };
+use std::ops::Range;
 
 /// A triangle with stress.
 #[derive(Debug, Clone)]
@@ -15,8 +18,9 @@ pub(super) struct PlannedTriangle {
     pub element: u32,
     pub corners: [u32; 3],
     pub reference: ReferenceShape,
-    /// Whether one of its edges may carry pressure or traction.
-    pub has_loaded_edge: bool,
+    /// Whether more than its stress acts on its nodes: loads on its edges,
+    /// stress in situ, absorbing nodes, excavation.
+    pub has_extras: bool,
 }
 
 /// Triangles of one material.
@@ -25,6 +29,7 @@ pub(super) struct Batch {
     pub material: usize,
     pub kind: ElementKind,
     pub elasticity: Elasticity,
+    pub law: StressLaw,
     pub triangles: Vec<PlannedTriangle>,
 }
 
@@ -57,9 +62,33 @@ pub(super) struct PlannedProbe {
     pub element: u32,
 }
 
+/// A part of the force evaluation, in the order of the sums.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum ForcePhase {
+    /// Triangles of one batch.
+    Triangles(usize),
+    /// All live joints, each with its own law.
+    Joints,
+    /// Every joint with the law of one set (classic).
+    EveryJoint(usize),
+    /// The edge load factor of a node set steps on (classic).
+    LoadStep(usize),
+}
+
+/// A part of the motion, in order.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum MotionPhase {
+    /// Nodes of one set.
+    Nodes(Range<usize>),
+    /// Rigid triangles of one material.
+    Rigid(Range<usize>),
+}
+
 /// Everything that the step loop visits.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Plan {
+    pub forces: Vec<ForcePhase>,
+    pub motions: Vec<MotionPhase>,
     /// Materials ascending, elements ascending within.
     pub batches: Vec<Batch>,
     pub rigid: Vec<PlannedRigid>,
@@ -75,23 +104,89 @@ pub(super) struct Plan {
     /// Whether softening or rigid triangles change the masses during a step.
     pub masses_change: bool,
     pub kinetic_energy_probes: bool,
+    /// Whether a material is excavated.
+    pub excavates: bool,
 }
 
 impl Plan {
     pub fn new(scene: &Scene) -> Self {
         let mut plan = Self { nodal_mass: vec![0.0; scene.nodes.len()], ..Self::default() };
-        for material in 0..scene.materials.len() {
-            plan.add_material(scene, material);
-        }
-        for law in 0..scene.cohesive_laws.len() {
-            plan.add_joints(scene, law);
-        }
-        for set in 0..scene.node_sets.len() {
-            let members = (0..scene.nodes.len()).filter(|&n| scene.nodes.set[n] == set as i32);
-            plan.nodes.extend(members.map(|n| PlannedNode { node: n as u32, set: set as u32 }));
+        match scene.conventions.forces {
+            ForceOrder::TrianglesThenJoints => plan.add_stage_by_stage(scene),
+            ForceOrder::PropertyByProperty => plan.add_property_by_property(scene),
         }
         plan.add_force_probes(scene);
+        plan.excavates = scene.materials.iter().any(|m| m.is_excavated);
         plan
+    }
+
+    fn add_stage_by_stage(&mut self, scene: &Scene) {
+        for material in 0..scene.materials.len() {
+            self.add_material(scene, material);
+        }
+        for law in 0..scene.cohesive_laws.len() {
+            self.add_joints(scene, law);
+        }
+        self.forces.push(ForcePhase::Joints);
+        for set in 0..scene.node_sets.len() {
+            self.add_nodes(scene, set);
+        }
+        for material in 0..scene.materials.len() {
+            self.add_rigid(scene, material);
+        }
+    }
+
+    /// Materials, joint sets and node sets are numbered together.
+    fn add_property_by_property(&mut self, scene: &Scene) {
+        for property in 0..scene.materials.len() {
+            self.add_material(scene, property);
+            if scene.cohesive_laws.get(property).is_some_and(|law| law.is_cohesive) {
+                self.forces.push(ForcePhase::EveryJoint(property));
+            }
+            if scene.node_sets.get(property).is_some_and(|set| set.edge_factor_step != 0.0) {
+                self.forces.push(ForcePhase::LoadStep(property));
+            }
+            self.add_rigid(scene, property);
+            self.add_nodes(scene, property);
+        }
+        let is_joint = |&e: &usize| scene.elements.joint_kind[e] != JointKind::NoJoint;
+        self.joints.extend((0..scene.elements.len()).filter(is_joint).map(|element| {
+            PlannedJoint {
+                element: element as u32,
+                law: 0,
+                corners: scene.elements.corners::<4>(element).map(|n| n as u32),
+            }
+        }));
+    }
+
+    fn add_nodes(&mut self, scene: &Scene, set: usize) {
+        let Some(node_set) = scene.node_sets.get(set) else { return };
+        if !node_set.moves {
+            return;
+        }
+        let start = self.nodes.len();
+        let members = (0..scene.nodes.len()).filter(|&n| scene.nodes.set[n] == set as i32);
+        self.nodes.extend(members.map(|n| PlannedNode { node: n as u32, set: set as u32 }));
+        if self.nodes.len() > start {
+            self.motions.push(MotionPhase::Nodes(start..self.nodes.len()));
+        }
+    }
+
+    fn add_rigid(&mut self, scene: &Scene, material: usize) {
+        if scene.materials[material].kind != ElementKind::RigidTriangle {
+            return;
+        }
+        self.masses_change = true;
+        let start = self.rigid.len();
+        let property = &scene.elements.property;
+        let members = (0..scene.elements.len()).filter(|&e| property[e] == material as i32);
+        self.rigid.extend(members.map(|e| PlannedRigid {
+            material,
+            corners: scene.elements.corners::<3>(e).map(|n| n as u32),
+        }));
+        if self.rigid.len() > start {
+            self.motions.push(MotionPhase::Rigid(start..self.rigid.len()));
+        }
     }
 
     fn add_material(&mut self, scene: &Scene, material: usize) {
@@ -100,14 +195,7 @@ impl Plan {
             .filter(|&e| scene.elements.property[e] == material as i32)
             .map(|e| (e as u32, scene.elements.corners::<3>(e)));
         match m.kind {
-            ElementKind::Inert(_) => {}
-            ElementKind::RigidTriangle => {
-                self.masses_change = true;
-                self.rigid.extend(members.map(|(_, corners)| PlannedRigid {
-                    material,
-                    corners: corners.map(|n| n as u32),
-                }));
-            }
+            ElementKind::Inert(_) | ElementKind::RigidTriangle => {}
             ElementKind::ElasticTriangle | ElementKind::SofteningTriangle => {
                 let elastic = m.kind == ElementKind::ElasticTriangle;
                 self.masses_change |= !elastic;
@@ -127,15 +215,18 @@ impl Plan {
                         element,
                         corners: corners.map(|n| n as u32),
                         reference,
-                        has_loaded_edge: elastic && has_loaded_edge(scene, &corners),
+                        has_extras: elastic && has_extras(scene, m, &corners),
                     });
                 }
                 let elasticity = Elasticity {
                     lame_lambda: m.lame_lambda,
                     shear_modulus: m.shear_modulus,
                     viscosity: m.viscosity,
+                    volumetric_share: scene.conventions.volumetric.factor(),
                 };
-                self.batches.push(Batch { material, kind: m.kind, elasticity, triangles });
+                self.forces.push(ForcePhase::Triangles(self.batches.len()));
+                let (kind, law) = (m.kind, stress_law(m, elasticity));
+                self.batches.push(Batch { material, kind, elasticity, law, triangles });
             }
         }
     }
@@ -154,7 +245,9 @@ impl Plan {
         }
         let property = (scene.materials.len() + law) as i32;
         for element in 0..scene.elements.len() {
-            if scene.elements.property[element] == property {
+            if scene.elements.property[element] == property
+                && scene.elements.joint_kind[element] == JointKind::Intact
+            {
                 let corners = scene.elements.corners::<4>(element).map(|n| n as u32);
                 self.joints.push(PlannedJoint {
                     element: element as u32,
@@ -180,10 +273,40 @@ impl Plan {
     }
 }
 
-/// Whether both ends of an edge belong to node sets with pressure or traction.
-fn has_loaded_edge(scene: &Scene, corners: &[usize; 3]) -> bool {
+/// The law that a material's elastic triangles follow.
+fn stress_law(material: &Material, elasticity: Elasticity) -> StressLaw {
+    let viscosity = material.viscosity;
+    let linear = |stiffness, own, cross, shear| {
+        StressLaw::Linear(LinearElasticity { stiffness, own, cross, shear, viscosity })
+    };
+    match material.elastic_law {
+        ElasticLaw::NeoHookean => StressLaw::NeoHookean(elasticity),
+        ElasticLaw::PlaneStress(m) => {
+            let k = m.young / (1.0 - m.poisson * m.poisson);
+            linear([k; 2], [1.0; 2], [m.poisson; 2], m.young / (1.0 + m.poisson))
+        }
+        ElasticLaw::PlaneStrain(m) => {
+            let k = m.young / ((1.0 + m.poisson) * (1.0 - 2.0 * m.poisson));
+            linear([k; 2], [1.0 - m.poisson; 2], [m.poisson; 2], m.young / (1.0 + m.poisson))
+        }
+        ElasticLaw::Transverse(m) => {
+            let [x, y] = m.poisson;
+            let k = m.young.map(|young| young / (1.0 - x * y));
+            linear(k, [1.0; 2], [y, x], 2.0 * m.shear)
+        }
+    }
+}
+
+/// Whether both ends of an edge belong to node sets with pressure or traction,
+/// or more acts on all triangles of the material.
+fn has_extras(scene: &Scene, material: &Material, corners: &[usize; 3]) -> bool {
     let set =
         |n: usize| usize::try_from(scene.nodes.set[n]).ok().and_then(|s| scene.node_sets.get(s));
-    let loaded = corners.map(|n| set(n).is_some_and(|s| s.pressure != 0.0 || s.traction != 0.0));
-    loaded.iter().filter(|&&l| l).count() > 1
+    let loaded = corners.map(|n| {
+        set(n).is_some_and(|s| {
+            let absorbs = s.conditions.contains(&Condition::Absorbing);
+            s.pressure != 0.0 || s.traction != 0.0 || absorbs
+        })
+    });
+    loaded.iter().filter(|&&l| l).count() > 1 || scene.in_situ.is_some() || material.is_excavated
 }

@@ -3,7 +3,10 @@
 //! of the stored value (spec `y2d3d.md` C.1), which is kept.
 
 use super::Simulation;
-use crate::{TOLERANCE, scene::ProbeQuantity};
+use crate::{
+    TOLERANCE,
+    scene::{ProbeQuantity, Refresh},
+};
 
 impl Simulation {
     /// Updates the probes inside elastic triangles.
@@ -43,11 +46,16 @@ impl Simulation {
 
     /// Updates the probes of kinetic energy, whose threshold is relative.
     pub(super) fn record_kinetic_energy(&mut self) {
-        for (probe, stored) in self.scene.probes.iter().zip(&mut self.probe_values) {
+        let stored = self.probe_values.iter_mut().zip(&mut self.probe_times);
+        for (probe, (stored, refreshed)) in self.scene.probes.iter().zip(stored) {
             if probe.quantity == ProbeQuantity::KineticEnergy {
                 let change = (1.0 - self.kinetic_energy / magnitude(*stored)).abs();
-                if change >= self.scene.probe_threshold {
-                    *stored = self.kinetic_energy;
+                let is_due = match self.scene.conventions.energy_refresh {
+                    Refresh::AtThreshold => change >= self.scene.probe_threshold,
+                    Refresh::AboveThreshold => change > self.scene.probe_threshold,
+                };
+                if is_due {
+                    (*stored, *refreshed) = (self.kinetic_energy, self.time);
                 }
             }
         }
@@ -57,6 +65,7 @@ impl Simulation {
         let stored = &mut self.probe_values[probe];
         if (value - magnitude(*stored)).abs() >= self.scene.probe_threshold {
             *stored = value;
+            self.probe_times[probe] = self.time;
         }
     }
 }

@@ -4,8 +4,11 @@ use super::Simulation;
 use crate::{
     contact::CoupleWork,
     insertion::InsertionReport,
-    mechanics::{Vec2, joint2, joint2::JointState},
-    scene::{BROKEN_JOINT, ElementKind, Scene},
+    mechanics::{
+        Vec2,
+        joint2::{self, JointState, SplitRules, YGeoRules},
+    },
+    scene::{CohesiveModel, ElementKind, JointKind, Scene},
 };
 use nalgebra::Matrix2;
 use std::collections::HashMap;
@@ -39,6 +42,26 @@ impl Simulation {
     #[must_use]
     pub fn masses(&self) -> &[f64] {
         &self.mass
+    }
+
+    /// Contact forces of the last evaluation, where they are summed apart
+    /// (classic); empty elsewhere, N.
+    #[must_use]
+    pub fn contact_forces(&self) -> &[Vec2] {
+        &self.contact_force
+    }
+
+    /// Contactor, target and sliding of all couples: contactors ascending, the
+    /// newest couple of each first.
+    #[must_use]
+    pub fn couples(&self) -> Vec<([u32; 2], [f64; 6])> {
+        self.contact.as_ref().map_or_else(Vec::new, crate::contact::Contact::couples)
+    }
+
+    /// Shear strength of a joint, Pa (split and Y-Geo).
+    #[must_use]
+    pub fn joint_strength(&self, element: usize) -> f64 {
+        self.strength.get(element).copied().unwrap_or(0.0)
     }
 
     /// Cauchy stresses of the last evaluation, one per element, Pa.
@@ -131,6 +154,10 @@ pub struct JointFailure {
     pub mode: f64,
     /// Cohesive law.
     pub law: usize,
+    /// Mean of the joint's four nodes then, m.
+    pub place: Vec2,
+    /// Length of its first side then, m.
+    pub length: f64,
 }
 
 /// A joint as output shows it.
@@ -160,18 +187,21 @@ pub fn joint_views(simulation: &Simulation) -> impl Iterator<Item = JointView> +
     let scene = &simulation.scene;
     let failures: HashMap<usize, JointFailure> =
         simulation.failures.iter().map(|failure| (failure.element, *failure)).collect();
+    let first_law = scene.materials.len();
     (0..scene.elements.len()).filter_map(move |element| {
         let property = scene.elements.property[element];
-        if scene.elements.nodes[element][3] < 0 {
+        let kind = scene.elements.joint_kind[element];
+        if matches!(kind, JointKind::NoJoint | JointKind::FreeEdge) {
             return None;
         }
         let nodes = scene.elements.corners::<4>(element);
         let corners = nodes.map(|n| scene.nodes.current[n]);
-        if property == BROKEN_JOINT {
+        if kind.is_fracture() {
             let failure = failures.get(&element).copied();
             let (opening, sliding) = joint2::separation(&corners);
             let (condition, damage) = (JointCondition::Broken, 1.0);
-            let law = failure.map_or(0, |f| f.law);
+            let own = usize::try_from(property).ok().and_then(|p| p.checked_sub(first_law));
+            let law = failure.map(|f| f.law).or(own).unwrap_or(0);
             return Some(JointView {
                 element,
                 law,
@@ -183,9 +213,13 @@ pub fn joint_views(simulation: &Simulation) -> impl Iterator<Item = JointView> +
                 failure,
             });
         }
-        let law = usize::try_from(property).ok()?.checked_sub(scene.materials.len())?;
+        let law = usize::try_from(property).ok()?.checked_sub(first_law)?;
         let cohesive = scene.cohesive_laws.get(law).filter(|l| l.is_cohesive)?;
-        let state = joint2::state(cohesive, &corners, simulation.strength[element]);
+        let strength = simulation.strength[element];
+        let state = match scene.conventions.cohesive {
+            CohesiveModel::Split => joint2::state::<SplitRules>(cohesive, &corners, strength),
+            _ => joint2::state::<YGeoRules>(cohesive, &corners, strength),
+        };
         let condition =
             if state.damage > 0.0 { JointCondition::Softening } else { JointCondition::Intact };
         let JointState { opening, sliding, damage, .. } = state;

@@ -1,6 +1,8 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod dialect_cases;
+pub mod dump;
 pub mod grid_deck;
 pub mod scenes;
 pub mod spoilt_deck;

@@ -1,6 +1,9 @@
-use super::{Reader, reader::Offenders};
-use crate::scene::{ContactSettings, ElementKind, Insertion, Scene};
-use yformat::diagnostic::Diagnostic;
+use super::{Reader, reader::Offenders, ygeo};
+use crate::scene::{
+    ContactSelection, ContactSettings, Conventions, ElementKind, FrictionModel, Insertion,
+    PairRule, Scene,
+};
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// Sliding states that a couple needs: one for each edge of its two triangles.
 const SLIDING_STATES: i64 = 6;
@@ -10,7 +13,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
         return None;
     }
     let states = reader.integer("YDI/MISTATE");
-    if states < SLIDING_STATES {
+    if reader.knows("YDI/MISTATE") && states < SLIDING_STATES {
         reader.report(
             Diagnostic::warning(
                 "scene::sliding-states",
@@ -32,16 +35,48 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
             .expected("a length of 0 or more, about a fifth of the smallest element"),
         );
     }
-    let sliding = reader.database.reals("YDI/D2SLDIS").filter(|f| f.item().is_some());
+    let sliding = reader.real_field("YDI/D2SLDIS").filter(|f| f.item().is_some());
     let slots = sliding.map_or(0, |f| f.given_shape().get(1).copied().unwrap_or(0));
     Some(ContactSettings {
         buffer,
         initial_travel: reader.real("YDI/DIEDI"),
-        all_elements: reader.integer("YDC/IWFAST") == 0,
+        selection: match Conventions::of(reader.database.dialect()) {
+            Some(c) if c.selection == ContactSelection::Flagged => ContactSelection::Flagged,
+            _ if reader.integer("YDC/IWFAST") == 0 => ContactSelection::All,
+            _ => ContactSelection::Tagged,
+        },
+        pairs: pair_rule(reader),
+        friction: friction_model(reader),
         initial_sliding: (0..slots)
             .map(|slot| std::array::from_fn(|k| sliding.map_or(0.0, |f| f.get2(k, slot))))
             .collect(),
     })
+}
+
+fn friction_model(reader: &mut Reader<'_>) -> FrictionModel {
+    match reader.integer("YDC/ICFMTY") {
+        0 => FrictionModel::Coulomb,
+        1 => FrictionModel::BartonBandis,
+        other => {
+            reader.report(
+                Diagnostic::error(
+                    "scene::value-range",
+                    format!("ICFMTY is {other}, which is no model of friction"),
+                )
+                .at(reader.place("YDC/ICFMTY"))
+                .expected("0 (Coulomb) or 1 (Barton and Bandis)"),
+            );
+            FrictionModel::Coulomb
+        }
+    }
+}
+
+fn pair_rule(reader: &mut Reader<'_>) -> PairRule {
+    match reader.database.dialect() {
+        Dialect::YGeo => ygeo::pair_table(reader),
+        Dialect::Classic => PairRule::InterfaceFriction,
+        _ => PairRule::SmallerOfEach,
+    }
 }
 
 /// Checks that need the whole scene.
@@ -49,14 +84,18 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     let Some(contact) = &scene.contact else { return };
     let touches = |e: usize| scene.material_of(e).is_some_and(|m| m.kind.takes_part_in_contact());
     let tagged = |e: usize| {
-        let flagged = |n: usize| scene.nodes.boundary_flag[n] == 1;
+        let counts = |flag: i32| match contact.selection {
+            ContactSelection::Flagged => flag > 0,
+            _ => flag == 1,
+        };
+        let flagged = |n: usize| counts(scene.nodes.boundary_flag[n]);
         scene.elements.contact_tag[e] > 0 || scene.elements.corners::<3>(e).into_iter().any(flagged)
     };
     let candidates = (0..scene.elements.len()).filter(|&e| touches(e)).count();
     let part = (0..scene.elements.len()).filter(|&e| touches(e) && tagged(e)).count();
     // joint insertion and refinement flag nodes themselves
     let flags_nodes = scene.insertion.as_ref().is_some_and(Insertion::changes_mesh);
-    if candidates > 1 && part == 0 && !contact.all_elements && !flags_nodes {
+    if candidates > 1 && part == 0 && contact.selection != ContactSelection::All && !flags_nodes {
         reader.report(
             Diagnostic::warning(
                 "scene::no-contact",
@@ -81,7 +120,9 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
             .expected("a large number such as 200, which makes the first step look for contact"),
         );
     }
-    check_penalties(reader, scene);
+    if contact.pairs == PairRule::SmallerOfEach {
+        check_penalties(reader, scene);
+    }
 }
 
 fn check_penalties(reader: &mut Reader<'_>, scene: &Scene) {

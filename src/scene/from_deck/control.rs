@@ -41,6 +41,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
             .help("2D scenes have gravity along y only (DCGRAY); turn the model to tilt it"),
         );
     }
+    let table = if reader.knows("YDC/ICSHTF") { "YDC/ICSHTF" } else { "YDC/ICOUTF" };
     let steps = |n: i64| u64::try_from(n).unwrap_or(0);
     Control {
         first_step: steps(first),
@@ -49,6 +50,6 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         start_time: reader.real("YDC/DCTIME"),
         gravity: reader.real("YDC/DCGRAY"),
         output_interval: steps(reader.integer("YDC/ICOUTF")).max(1),
-        table_interval: steps(reader.integer("YDC/ICSHTF")).max(1),
+        table_interval: steps(reader.integer(table)).max(1),
     }
 }

@@ -3,8 +3,8 @@ use super::{
     nodes::to_i32,
     reader::{Offenders, numbers_of},
 };
-use crate::scene::{BROKEN_JOINT, CLOSED_EDGE, Elements};
-use yformat::{database::Field, diagnostic::Diagnostic};
+use crate::scene::{BROKEN_OFFSET, Elements, JointKind, SPLIT_BROKEN, SPLIT_FREE_EDGE};
+use yformat::{database::Field, diagnostic::Diagnostic, dialect::Dialect};
 
 /// Most node numbers that an element of the table can have.
 const MOST_NODES: usize = 6;
@@ -33,8 +33,8 @@ pub(super) fn read(
     let tag = reader.integers("YDE/I1ELBE", -1);
     let rows = usize::try_from(reader.integer("YDE/MELNO")).unwrap_or(0);
     let state_rows = usize::try_from(reader.integer("YDE/MELST")).unwrap_or(0).min(64);
-    let state = reader.database.reals("YDE/D2ELST");
-    Some(Elements {
+    let state = reader.real_field("YDE/D2ELST");
+    let mut elements = Elements {
         table_rows: rows.min(MOST_ROWS),
         nodes: (0..len)
             .map(|e| {
@@ -48,7 +48,34 @@ pub(super) fn read(
         state: (0..state_rows)
             .map(|row| (0..len).map(|e| state.map_or(0.0, |s| s.get2(row, e))).collect())
             .collect(),
-    })
+        joint_kind: vec![JointKind::NoJoint; len],
+        fracture: vec![-1; len],
+        sides: vec![[-1; 2]; len],
+    };
+    if reader.database.dialect() != Dialect::Classic {
+        name_joints(&mut elements, reader.database.dialect());
+    }
+    Some(elements)
+}
+
+/// Says of each joint of the deck whether it holds: the codes of the property
+/// sets tell it.
+pub(super) fn name_joints(elements: &mut Elements, dialect: Dialect) {
+    for e in 0..elements.len() {
+        let [a, b, c, d, ..] = elements.nodes[e];
+        let property = &mut elements.property[e];
+        elements.joint_kind[e] = match (d >= 0, *property) {
+            (false, _) => JointKind::NoJoint,
+            (true, _) if (a, b) == (d, c) => JointKind::FreeEdge,
+            (true, SPLIT_FREE_EDGE) => JointKind::FreeEdge,
+            (true, SPLIT_BROKEN) if dialect == Dialect::Split => JointKind::Broken,
+            (true, code) if code < 0 && dialect == Dialect::YGeo => {
+                *property = code + BROKEN_OFFSET;
+                JointKind::Broken
+            }
+            (true, _) => JointKind::Intact,
+        };
+    }
 }
 
 fn check_topology(
@@ -120,10 +147,15 @@ pub(super) fn check_properties(
     laws: usize,
 ) {
     let (first_law, end) = (materials as i64, (materials + laws) as i64);
+    let numbering = reader.database.dialect();
     let wrong = |e: usize| {
         let p = property(e);
-        if is_joint(e) {
-            let dead = p == i64::from(BROKEN_JOINT) || p == i64::from(CLOSED_EDGE);
+        if is_joint(e) && numbering == Dialect::Classic {
+            !(0..first_law).contains(&p)
+        } else if is_joint(e) {
+            let dead = p == i64::from(SPLIT_BROKEN)
+                || p == i64::from(SPLIT_FREE_EDGE)
+                || (first_law..end).contains(&(p + i64::from(BROKEN_OFFSET)));
             !dead && !(first_law..end).contains(&p)
         } else {
             !(0..first_law).contains(&p)

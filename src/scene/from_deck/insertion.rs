@@ -1,19 +1,22 @@
-use super::{Reader, joints, nodes::to_i32, reader::numbers_of};
-use crate::scene::{Combination, Insertion, JointPair, Material, Scene};
-use yformat::{database::Field, diagnostic::Diagnostic};
+use super::{Reader, classic, joints, nodes::to_i32, reader::numbers_of};
+use crate::scene::{Combination, Insertion, Interfaces, JointPair, Material, Scene};
+use yformat::{database::Field, diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<Insertion> {
     // without materials their count or types are wrong, which has been reported
     if materials.is_empty() {
         return None;
     }
-    let table = reader.database.integers("YDPM/I2PMSET").filter(|f| f.item().is_some())?;
+    if reader.database.dialect() == Dialect::Classic {
+        return classic::insertion(reader, materials);
+    }
+    let table = reader.integer_field("YDPM/I2PMSET").filter(|f| f.item().is_some())?;
     let columns = usize::try_from(reader.integer("YDPM/MPMCOL")).unwrap_or(0);
     let records = table.given_shape().get(1).copied().unwrap_or(0);
     let combinations: Vec<Combination> = (0..records)
         .filter_map(|record| combination(reader, table, record, columns, materials.len()))
         .collect();
-    let rows = reader.database.integers("YDPM/I2PMIJ").filter(|f| f.item().is_some());
+    let rows = reader.integer_field("YDPM/I2PMIJ").filter(|f| f.item().is_some());
     let count = rows.map_or(0, |f| f.given_shape().get(1).copied().unwrap_or(0));
     let row = |i: usize, r: usize| rows.map_or(-1, |f| f.get2(i, r));
     let names: Vec<[i64; 2]> = (0..count).map(|r| [row(0, r), row(1, r)]).collect();
@@ -28,6 +31,7 @@ pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<In
     let insertion = Insertion {
         combinations,
         pairs: pairs.collect(),
+        interfaces: Interfaces::Free,
         node_capacity: capacity("YDN/MNOPO"),
         element_capacity: capacity("YDE/MELEM"),
     };

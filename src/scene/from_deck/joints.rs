@@ -1,9 +1,10 @@
 use super::{
-    Reader,
+    Reader, classic,
     reader::{Offenders, numbers_of},
+    ygeo,
 };
-use crate::scene::{CohesiveLaw, Scene};
-use yformat::diagnostic::Diagnostic;
+use crate::scene::{CohesiveLaw, RockJoint, Scene};
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// What cohesive laws are called in findings.
 const WHAT: &str = "joint property sets";
@@ -12,6 +13,11 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
     let len = reader.count_of_sets("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT);
     let real = |name| reader.reals(name, 0.0);
     let (ft, fs, gf) = (real("YDPJ/D1PJFT"), real("YDPJ/D1PJFS"), real("YDPJ/D1PJGF"));
+    let one_energy = reader.database.dialect() == Dialect::Split;
+    let gs = real(if one_energy { "YDPJ/D1PJGF" } else { "YDPJ/D1PJGS" });
+    let layering = ygeo::layering(reader);
+    let is_classic = reader.database.dialect() == Dialect::Classic;
+    let residual = real("YDPE/D1PEFR");
     let (co, fr, pe) = (real("YDPJ/D1PJCO"), real("YDPJ/D1PJFR"), real("YDPJ/D1PJPE"));
     let kind = reader.integers("YDPJ/I1PTYP", -1);
     (0..len)
@@ -20,9 +26,14 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
             tensile_strength: ft(i),
             shear_strength: fs(i),
             fracture_energy: gf(i),
+            shear_fracture_energy: gs(i),
             cohesion: co(i),
             friction: fr(i),
+            residual_friction: if is_classic { residual(i) } else { 0.0 },
             penalty: pe(i),
+            peak_strength: ft(i),
+            rock: if is_classic { classic::rock_joint(reader, i) } else { RockJoint::default() },
+            layering: layering(i),
         })
         .collect()
 }
@@ -90,6 +101,9 @@ fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     let mut arrays = vec!["YDPJ/D1PJFT", "YDPJ/D1PJGF", "YDPJ/D1PJPE"];
     if laws.iter().any(|law| law.cohesion <= 0.0) {
         arrays.push("YDPJ/D1PJFS");
+    }
+    if laws.iter().all(|law| law.cohesion > 0.0) || !reader.knows("YDPJ/D1PJFS") {
+        arrays.retain(|name| *name != "YDPJ/D1PJFS");
     }
     for name in arrays.into_iter().filter(|_| laws.iter().any(|law| law.is_cohesive)) {
         given &= reader.required_reals(name, WHAT, laws.len()).is_some();

@@ -1,6 +1,6 @@
-use super::{Reader, nodes::to_i32, reader::numbers_of};
+use super::{Reader, classic, nodes::to_i32, reader::numbers_of, ygeo};
 use crate::scene::{ElementKind, Material, Scene};
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
     let len = reader.count("YDPE/NPROP", "YDPE/MPROP", "element property sets", 1);
@@ -29,10 +29,13 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
     let fractures = reader.integers("YDPE/I1PEFR", -1);
     let joint_set = reader.integers("YDPE/I1PEJP", -1);
     let marking = reader.integers("YDPE/I1PEMB", 0);
+    let interface = real("YDPE/D1PBIF");
+    let excavated = reader.integers("YDPE/I1PEXC", -1);
     let damage_row = reader.integers("YDPE/I1PSDE", 0);
     (0..len)
         .map(|i| Material {
             kind: kind(reader, i, kinds.get1(i)),
+            elastic_law: ygeo::elastic_law(reader, i, kinds.get1(i)),
             lame_lambda: lambda(i),
             shear_modulus: mu(i),
             viscosity: eta(i),
@@ -40,6 +43,8 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
             contact_penalty: penalty(i),
             tangential_penalty: tangential(i),
             friction: friction(i),
+            interface_friction: interface(i),
+            is_excavated: excavated(i) == 1,
             softening_stretch: stretch(i),
             fractures: fractures(i) > 0,
             joint_set: to_i32(joint_set(i)),
@@ -50,8 +55,13 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
 }
 
 fn kind(reader: &mut Reader<'_>, set: usize, code: i64) -> ElementKind {
+    let is_linear = |code| reader.database.dialect() == Dialect::YGeo && (5..=6).contains(&code);
+    if reader.database.dialect() == Dialect::Classic {
+        return classic::kind(reader, set, code);
+    }
     match code {
         1 => ElementKind::ElasticTriangle,
+        _ if is_linear(code) => ElementKind::ElasticTriangle,
         2 => ElementKind::RigidTriangle,
         4 => ElementKind::SofteningTriangle,
         11 | 21 | 31 => {

@@ -5,6 +5,7 @@
 //! there is an error that says where and how to mend it. One pass reports all
 //! findings.
 
+mod classic;
 mod contact;
 mod control;
 mod elements;
@@ -12,18 +13,20 @@ mod geometry;
 mod insertion;
 mod joints;
 mod materials;
+mod names;
 mod node_sets;
 mod nodes;
 mod probes;
 mod reader;
 mod unsupported;
 mod update;
+mod ygeo;
 
 pub use update::update_scene;
 
-use super::Scene;
+use super::{Conventions, Scene};
 use reader::Reader;
-use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
+use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic, dialect::Dialect};
 
 /// Which of the two programs of the split dialect is followed where they differ
 /// (spec `y2d3d.md` L).
@@ -58,11 +61,18 @@ pub fn from_deck(deck: &Deck, database: &Database, name: &str, profile: Profile)
 
 fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene> {
     unsupported::check(reader);
+    let conventions = Conventions::of(reader.database.dialect())?;
     let control = control::read(reader);
     let nodes = nodes::read(reader)?;
+    let node_count = nodes.len();
     let materials = materials::read(reader);
     let cohesive_laws = joints::read(reader);
-    let elements = elements::read(reader, nodes.len(), materials.len(), cohesive_laws.len())?;
+    let is_classic = conventions.dialect == Dialect::Classic;
+    let mut elements = elements::read(reader, nodes.len(), materials.len(), cohesive_laws.len())?;
+    if is_classic {
+        classic::name_joints(reader, &mut elements, materials.len());
+    }
+    let element_count = elements.len();
     let node_sets = node_sets::read(reader, profile);
     let load_history = node_sets::read_load_history(reader, node_sets.len());
     let contact = contact::read(reader);
@@ -70,6 +80,7 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
     let (probes, probe_threshold) = probes::read(reader);
     let scene = Scene {
         name: name.to_owned(),
+        conventions,
         control,
         nodes,
         elements,
@@ -77,6 +88,14 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         cohesive_laws,
         node_sets,
         load_history,
+        ramp: is_classic.then(|| classic::ramp(reader)),
+        initial_aperture: classic::initial_aperture(reader),
+        joint_restart: classic::joint_restart(reader, element_count),
+        snapshots: is_classic.then(|| classic::snapshots(reader)),
+        in_situ: ygeo::in_situ(reader),
+        fracture_network: ygeo::fracture_network(reader, node_count),
+        seismic: ygeo::seismic(reader),
+        hysteretic_joints: reader.integer("YDPJ/IUSEHY") != 0,
         contact,
         insertion,
         probes,

@@ -7,7 +7,7 @@ use crate::{
     scene::{Condition, LoadHistory, NodeSet, Scene},
 };
 use nalgebra::{Matrix2, Vector2};
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>> {
     let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets");
@@ -16,6 +16,12 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
     let (pressure, traction) = (reader.reals("YDPN/D1PNAP", 0.0), reader.reals("YDPN/D1PNAT", 0.0));
     let x_axis = [reader.reals("YDPN/D1PNXX", 1.0), reader.reals("YDPN/D1PNXY", 0.0)];
     let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
+    let absorbs = absorbs(reader);
+    let is_classic = reader.database.dialect() == Dialect::Classic;
+    let kind = reader.integers("YDPE/I1PTYP", NODE_SET);
+    let moves = |set: usize| !is_classic || kind(set) == NODE_SET;
+    let (factor, factor_step) =
+        (reader.reals("YDPN/D1PNAF", 1.0), reader.reals("YDPN/D1PNAI", 0.0));
     let sets = (0..len)
         .map(|set| {
             let axes = [
@@ -23,11 +29,18 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
                 Vector2::new(y_axis[0](set), y_axis[1](set)),
             ];
             NodeSet {
-                conditions: [condition(codes[0](set)), condition(codes[1](set))],
+                conditions: [condition(codes[0](set), absorbs), condition(codes[1](set), absorbs)],
                 amplitudes: [amplitudes[0](set), amplitudes[1](set)],
                 pressure: pressure(set),
                 traction: traction(set),
-                axes: check_axes(reader, set, axes, profile),
+                edge_factor: if is_classic { factor(set) } else { 1.0 },
+                edge_factor_step: if is_classic { factor_step(set) } else { 0.0 },
+                axes: if moves(set) {
+                    check_axes(reader, set, axes, profile)
+                } else {
+                    Matrix2::identity()
+                },
+                moves: moves(set),
             }
         })
         .collect::<Vec<_>>();
@@ -36,11 +49,20 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
     sets
 }
 
-fn condition(code: i64) -> Condition {
+/// Type of the property sets of nodes in the classic dialect's common table.
+const NODE_SET: i64 = -1;
+
+/// Whether code 4 makes nodes absorbing.
+fn absorbs(reader: &Reader<'_>) -> bool {
+    reader.database.dialect() == Dialect::YGeo
+}
+
+fn condition(code: i64, absorbs: bool) -> Condition {
     match code {
         1 => Condition::Force,
         2 => Condition::Acceleration,
         3 => Condition::Velocity,
+        4 if absorbs => Condition::Absorbing,
         _ => Condition::Frozen,
     }
 }
@@ -99,7 +121,8 @@ fn check_codes(reader: &mut Reader<'_>, len: usize) {
             );
         }
         let code = reader.integers(name, -1);
-        if let Some(found) = Offenders::find(len, |set| code(set) > 3) {
+        let last = if absorbs(reader) { 4 } else { 3 };
+        if let Some(found) = Offenders::find(len, |set| code(set) > last) {
             let value = code(found.first);
             let meaning = if value == 4 { " (absorbing boundary in Y-Geo)" } else { "" };
             reader.report(
@@ -147,7 +170,7 @@ fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
 /// The load-time table of the node sets, if there is one.
 pub(super) fn read_load_history(reader: &mut Reader<'_>, sets: usize) -> Option<LoadHistory> {
     let points = reader.count("YDPN/NPNFACT", "YDPN/MPNFACT", "load-time points", 0);
-    let table = reader.database.reals("YDPN/D3PNFAC").filter(|f| f.item().is_some())?;
+    let table = reader.real_field("YDPN/D3PNFAC").filter(|f| f.item().is_some())?;
     let given = table.given_shape();
     let (given_sets, given_points) =
         (given.get(1).copied().unwrap_or(0), given.get(2).copied().unwrap_or(0));

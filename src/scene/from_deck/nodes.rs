@@ -1,14 +1,14 @@
 use super::{Reader, reader::Offenders};
 use crate::scene::Nodes;
 use nalgebra::Vector2;
-use yformat::{database::Field, diagnostic::Diagnostic};
+use yformat::{database::Field, diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Option<Nodes<2>> {
     check_dimension(reader)?;
     let len = reader.count("YDN/NNOPO", "YDN/MNOPO", "nodes", 1);
     let initial = reader.required_reals("YDN/D2NCI", "nodes", len);
     let sets = reader.required_integers("YDN/I1NOPR", "nodes", len);
-    let current = reader.database.reals("YDN/D2NCC").filter(|f| f.item().is_some());
+    let current = reader.real_field("YDN/D2NCC").filter(|f| f.item().is_some());
     let current = if current.is_some() {
         reader.required_reals("YDN/D2NCC", "nodes", len)
     } else {
@@ -34,11 +34,13 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<Nodes<2>> {
     };
     let flag = reader.integers("YDN/I1NOBF", 0);
     let boundary_flag: Vec<i32> = (0..len).map(|n| to_i32(flag(n))).collect();
-    warn_of_flags(reader, &boundary_flag);
+    if reader.database.dialect() == Dialect::Split {
+        warn_of_flags(reader, &boundary_flag);
+    }
     Some(Nodes {
         initial: vectors(Some(initial)),
         current: vectors(Some(current)),
-        velocity: vectors(reader.database.reals("YDN/D2NVC")),
+        velocity: vectors(reader.real_field("YDN/D2NVC")),
         boundary_flag,
         set: (0..len).map(|n| to_i32(sets.get1(n))).collect(),
     })

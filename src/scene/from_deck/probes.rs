@@ -20,11 +20,13 @@ pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
         return (Vec::new(), threshold);
     };
     let initial = reader.reals("YDO/D1OHYS", 0.0);
+    let initial_time = reader.reals("YDO/D1OHYT", 0.0);
     let (x, y) = (reader.reals("YDO/D1OHYX", 0.0), reader.reals("YDO/D1OHYY", 0.0));
     let probes = (0..len).map(|i| Probe {
         quantity: quantity(reader, i, kinds.get1(i)),
         point: [x(i), y(i)],
         initial_value: initial(i),
+        initial_time: initial_time(i),
         time_factor: time_factor.get1(i),
         value_factor: value_factor.get1(i),
     });

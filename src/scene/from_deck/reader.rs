@@ -1,3 +1,5 @@
+use super::names::in_dialect;
+use std::borrow::Cow;
 use yformat::{
     database::{Database, Field},
     deck::Deck,
@@ -73,35 +75,69 @@ impl<'a> Reader<'a> {
         self.findings.iter().any(Diagnostic::is_error)
     }
 
-    pub fn integer(&self, name: &str) -> i64 {
-        self.database.integer(name)
+    /// What the deck's dialect calls a keyword; `None` if it has no such thing.
+    pub fn own_name<'n>(&self, name: &'n str) -> Option<Cow<'n, str>> {
+        in_dialect(self.database.dialect(), name)
     }
 
+    /// The same for messages.
+    pub fn called<'n>(&self, name: &'n str) -> Cow<'n, str> {
+        self.own_name(name).unwrap_or(Cow::Borrowed(name))
+    }
+
+    /// Whether the deck's dialect has the keyword.
+    pub fn knows(&self, name: &str) -> bool {
+        self.own_name(name).is_some()
+    }
+
+    /// An integer, 0 if the dialect has no such keyword.
+    pub fn integer(&self, name: &str) -> i64 {
+        self.own_name(name).map_or(0, |name| self.database.integer(&name))
+    }
+
+    /// A real, 0 if the dialect has no such keyword.
     pub fn real(&self, name: &str) -> f64 {
-        self.database.real(name)
+        self.own_name(name).map_or(0.0, |name| self.database.real(&name))
+    }
+
+    /// The item that gives a keyword, if the dialect has it and the deck gives it.
+    pub fn given(&self, name: &str) -> Option<usize> {
+        self.database.given(&self.own_name(name)?)
     }
 
     pub fn is_given(&self, name: &str) -> bool {
-        self.database.given(name).is_some()
+        self.given(name).is_some()
+    }
+
+    /// An array of reals, if the dialect has it and it exists.
+    pub fn real_field(&self, name: &str) -> Option<&'a Field<f64>> {
+        self.database.reals(&self.own_name(name)?)
+    }
+
+    /// An array of integers, if the dialect has it and it exists.
+    pub fn integer_field(&self, name: &str) -> Option<&'a Field<i64>> {
+        self.database.integers(&self.own_name(name)?)
     }
 
     /// Where a keyword's first number stands; the keyword itself if it has none.
     pub fn place(&self, name: &str) -> Option<Span> {
-        let item = self.database.given(name)?;
+        let item = self.given(name)?;
         self.deck.number_span(item, 0).or_else(|| self.deck.word_span(item))
     }
 
     /// Where a keyword's word stands.
     pub fn word(&self, name: &str) -> Option<Span> {
-        self.deck.word_span(self.database.given(name)?)
+        self.deck.word_span(self.given(name)?)
     }
 
     /// Number of entities: `actual` within `capacity`, at least `least`.
     pub fn count(&mut self, actual: &str, capacity: &str, what: &str, least: i64) -> usize {
         let (n, room) = (self.integer(actual), self.integer(capacity));
         let place = self.place(actual).or_else(|| self.place(capacity));
+        let (actual, capacity, given) =
+            (self.called(actual), self.called(capacity), self.is_given(actual));
         if n < least {
-            let message = match self.is_given(actual) {
+            let message = match given {
                 true => format!("{actual} gives {n} {what}"),
                 false => format!("{actual}, the number of {what}, is missing"),
             };
@@ -152,7 +188,7 @@ impl<'a> Reader<'a> {
         what: &'static str,
         needed: usize,
     ) -> Option<&'a Field<f64>> {
-        let field = self.database.reals(name);
+        let field = self.real_field(name);
         let given = field.map(|f| (f.given_shape().last().copied().unwrap_or(0), f.item()));
         self.complete(name, what, needed, given).then_some(field).flatten()
     }
@@ -164,7 +200,7 @@ impl<'a> Reader<'a> {
         what: &'static str,
         needed: usize,
     ) -> Option<&'a Field<i64>> {
-        let field = self.database.integers(name);
+        let field = self.integer_field(name);
         let given = field.map(|f| (f.given_shape().last().copied().unwrap_or(0), f.item()));
         self.complete(name, what, needed, given).then_some(field).flatten()
     }
@@ -180,6 +216,7 @@ impl<'a> Reader<'a> {
         if needed == 0 {
             return false;
         }
+        let name = &*self.called(name);
         let Some((given, Some(_))) = given else {
             self.report(
                 Diagnostic::error("scene::missing-array", format!("{name} is missing"))
@@ -211,20 +248,20 @@ impl<'a> Reader<'a> {
 
     /// A real array if the deck gives it: `absent` where there is no such array.
     pub fn reals(&self, name: &str, absent: f64) -> impl Fn(usize) -> f64 + use<'a> {
-        let field = self.database.reals(name);
+        let field = self.real_field(name);
         move |i| field.map_or(absent, |f| f.get1(i))
     }
 
     /// An integer array if the deck gives it: `absent` where there is no such array.
     pub fn integers(&self, name: &str, absent: i64) -> impl Fn(usize) -> i64 + use<'a> {
-        let field = self.database.integers(name);
+        let field = self.integer_field(name);
         move |i| field.map_or(absent, |f| f.get1(i))
     }
 
     /// Where the length of an array along an index stands; that of the last index for an index
     /// beyond.
     pub fn length(&self, name: &str, index: usize) -> Option<Span> {
-        let item = self.database.given(name)?;
+        let item = self.given(name)?;
         let rank = self.deck.item(item)?.assignment()?.keyword.rank();
         // arrays of one index have no order code before their length
         let position = if rank > 1 { index.saturating_add(1).min(rank) } else { 0 };
@@ -238,20 +275,19 @@ impl<'a> Reader<'a> {
 
     /// Where an entry of an array stands.
     pub fn entry_at(&self, name: &str, index: [usize; 3]) -> Option<Span> {
-        let keyword = yformat::keywords::find(self.database.dialect(), name)?;
+        let own = self.own_name(name)?;
+        let keyword = yformat::keywords::find(self.database.dialect(), &own)?;
         match keyword.number {
             yformat::keywords::NumberKind::Integer => {
-                self.database.integers(name)?.span(self.deck, index)
+                self.integer_field(name)?.span(self.deck, index)
             }
-            yformat::keywords::NumberKind::Real => {
-                self.database.reals(name)?.span(self.deck, index)
-            }
+            yformat::keywords::NumberKind::Real => self.real_field(name)?.span(self.deck, index),
         }
     }
 
     /// Reports entries of a real array below `least` (or not above it).
     pub fn check_at_least(&mut self, name: &str, len: usize, least: f64, strict: bool, what: &str) {
-        let Some(field) = self.database.reals(name) else { return };
+        let Some(field) = self.real_field(name) else { return };
         let wrong = |i: usize| {
             let value = field.get1(i);
             if strict { value <= least } else { value < least }
@@ -260,10 +296,15 @@ impl<'a> Reader<'a> {
             let value = field.get1(found.first);
             let wanted =
                 if strict { format!("above {least}") } else { format!("of {least} or more") };
+            let called = self.called(name);
             self.report(
                 Diagnostic::error(
                     "scene::value-range",
-                    format!("{name}: the {what} of set {} is {value}{}", found.first, found.more()),
+                    format!(
+                        "{called}: the {what} of set {} is {value}{}",
+                        found.first,
+                        found.more()
+                    ),
                 )
                 .at(self.entry(name, found.first))
                 .expected(format!("a {what} {wanted}")),

@@ -123,7 +123,7 @@ fn update_nodes(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>
         ("YDN/D2NCC", &mut nodes.current),
         ("YDN/D2NVC", &mut nodes.velocity),
     ] {
-        if let Some(field) = reader.database.reals(name).filter(|_| named.contains(name)) {
+        if let Some(field) = reader.real_field(name).filter(|_| named.contains(name)) {
             for (n, value) in values.iter_mut().enumerate() {
                 *value = Vector2::new(field.get2(0, n), field.get2(1, n));
             }
@@ -139,6 +139,7 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
     let elements = &mut scene.elements;
     if named.contains("YDE/I1ELPR") {
         replace(reader, "YDE/I1ELPR", &mut elements.property, named);
+        elements::name_joints(elements, reader.database.dialect());
         elements::check_properties(
             reader,
             elements.len(),
@@ -149,9 +150,7 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
         );
     }
     replace(reader, "YDE/I1ELBE", &mut elements.contact_tag, named);
-    if let Some(field) =
-        reader.database.reals("YDE/D2ELST").filter(|_| named.contains("YDE/D2ELST"))
-    {
+    if let Some(field) = reader.real_field("YDE/D2ELST").filter(|_| named.contains("YDE/D2ELST")) {
         for (row, values) in elements.state.iter_mut().enumerate() {
             for (e, value) in values.iter_mut().enumerate() {
                 *value = field.get2(row, e);
@@ -161,7 +160,7 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
 }
 
 fn replace(reader: &Reader<'_>, name: &str, values: &mut [i32], named: &BTreeSet<String>) {
-    if let Some(field) = reader.database.integers(name).filter(|_| named.contains(name)) {
+    if let Some(field) = reader.integer_field(name).filter(|_| named.contains(name)) {
         for (i, value) in values.iter_mut().enumerate() {
             *value = to_i32(field.get1(i));
         }

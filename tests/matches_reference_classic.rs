@@ -1,0 +1,7 @@
+//! States of the classic dialect, bit for bit (see `support/dialect_cases.rs`).
+
+mod support;
+
+fn main() -> std::process::ExitCode {
+    support::dialect_cases::main("classic")
+}
