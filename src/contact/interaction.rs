@@ -234,6 +234,9 @@ impl Contact {
         self.work.rested += self.visits.list.len() as u64 - done.evaluated;
         if done.dropped {
             self.visits.remove_dropped(&mut self.couples);
+            if self.is_chained {
+                self.visits.link();
+            }
         }
     }
 }

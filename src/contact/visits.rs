@@ -157,6 +157,9 @@ impl Visits {
 
     /// Links the couples of each contactor in the order of their chain.
     pub fn link(&mut self) {
+        for visit in &mut self.list {
+            (visit.before, visit.after) = (NOWHERE, NOWHERE);
+        }
         self.order.clear();
         self.order.extend(0..self.list.len() as u32);
         let list = &self.list;
