@@ -43,12 +43,13 @@ pub fn main(dialect: &str) -> ExitCode {
 
 fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let shared = root.join("../shared/reference").join(dialect);
-    if !shared.is_dir() {
-        println!("skipping the large cases: {} is absent", shared.display());
+    let beside = ["../shared/reference", "../shared/thirdparty/reference"];
+    let beside = beside.map(|folder| root.join(folder).join(dialect));
+    for folder in beside.iter().filter(|folder| !folder.is_dir()) {
+        println!("skipping further cases: {} is absent", folder.display());
     }
     let mut cases = BTreeMap::new();
-    for folder in [root.join("tests/data").join(dialect), shared] {
+    for folder in [root.join("tests/data").join(dialect)].into_iter().chain(beside) {
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
             cases.entry(name).or_insert_with(|| entry.path());
@@ -68,7 +69,8 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
             simulation.evaluate_forces();
             simulation.advance();
         }
-        let original = Dump::read(&folder.join(format!("state_{step}.txt")))?;
+        let [plain, packed] = ["txt", "txt.gz"].map(|e| folder.join(format!("state_{step}.{e}")));
+        let original = Dump::read(if plain.exists() { &plain } else { &packed })?;
         let ours = Dump::of(&simulation, step == 0);
         let comparison = original.compare(&ours, "NTJC");
         tally.states.fetch_add(1, Ordering::Relaxed);
@@ -88,6 +90,7 @@ fn steps(folder: &Path) -> Result<Vec<u64>, Failed> {
     let mut steps = Vec::new();
     for entry in fs::read_dir(folder)? {
         let name = entry?.file_name().to_string_lossy().into_owned();
+        let name = name.strip_suffix(".gz").unwrap_or(&name);
         if let Some(step) = name.strip_prefix("state_").and_then(|n| n.strip_suffix(".txt")) {
             steps.push(step.parse()?);
         }

@@ -1,7 +1,12 @@
 //! Full-precision records of the originals of the classic dialect and of Y-Geo:
 //! lines N node, T triangle, J joint, C couple.
 
-use std::{fmt::Write as _, fs, io, path::Path};
+use std::{
+    fmt::Write as _,
+    fs,
+    io::{self, Read as _},
+    path::Path,
+};
 use ypsilon::{
     scene::{CohesiveModel, JointKind},
     simulation::Simulation,
@@ -28,7 +33,13 @@ pub struct Comparison {
 impl Dump {
     /// Reads a record of the original, compressed or not.
     pub fn read(path: &Path) -> io::Result<Self> {
-        let text = fs::read_to_string(path)?;
+        let bytes = fs::read(path)?;
+        let mut text = String::new();
+        if path.extension().is_some_and(|e| e == "gz") {
+            flate2::read::GzDecoder::new(&*bytes).read_to_string(&mut text)?;
+        } else {
+            (&*bytes).read_to_string(&mut text)?;
+        }
         Self::parse(&text)
     }
 
