@@ -4,6 +4,7 @@
 //!   [`database`] the values that they leave in the program, [`diagnostic`] what is wrong with them.
 //! - [`d3plot`]: binary result families for LS-PrePost.
 //! - [`history`]: `.yh` histories.
+//! - [`ym`]: `.ym` snapshots of the classic dialect.
 
 pub mod c_format;
 pub mod d3plot;
@@ -15,3 +16,4 @@ pub mod history;
 pub mod keywords;
 pub mod part_file;
 pub mod source;
+pub mod ym;
