@@ -4,9 +4,10 @@
 //!   [`database`] the values that they leave in the program, [`diagnostic`] what is wrong with them.
 //! - [`d3plot`]: binary result families for LS-PrePost.
 //! - [`history`]: `.yh` histories.
-//! - [`ym`]: `.ym` snapshots of the classic dialect.
+//! - [`ym`]: `.ym` snapshots of the classic dialect, [`classic_output`]: its other files.
 
 pub mod c_format;
+pub mod classic_output;
 pub mod d3plot;
 pub mod database;
 pub mod deck;
