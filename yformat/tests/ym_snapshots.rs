@@ -169,6 +169,26 @@ fn joint_kind(line: &str) -> String {
     format!(" {}", line.split_whitespace().nth(3).unwrap())
 }
 
+/// The restart deck of the same run, 600 steps later, has these failure modes (`D1JFMD` of the
+/// joints that are fractures): a joint keeps its mode once it is broken.
+#[test]
+fn failure_modes_are_those_of_the_restart_deck() {
+    let exact = [1.11011769042057606427, 2.0, 1.62272838518861228785, 1.0, 2.0, 1.0, 1.0, 1.0];
+    let snapshot = Snapshot::parse("shear", SHEAR).unwrap();
+    let fractures = snapshot.records.iter().filter(|r| r.kind() == RecordKind::FractureJoint);
+    let mut compared = 0;
+    for (theirs, failure_mode) in fractures.zip(exact) {
+        let Record::FractureJoint(decoded) = theirs.decode(&SCALES) else { panic!() };
+        let record = Record::FractureJoint(FractureJoint { failure_mode, ..decoded });
+        let ours = CodedRecord::encode(&record, theirs.digits(), &SCALES);
+        assert_eq!(ours.numbers()[8], theirs.numbers()[8]);
+        let error = failure_mode - decoded.failure_mode;
+        assert!((0.0..=2.0 * theirs.digits().quantum()).contains(&error), "{error}");
+        compared += 1;
+    }
+    assert_eq!(compared, 8);
+}
+
 #[test]
 fn both_line_ends_are_kept() {
     let text = String::from_utf8(PAIR.to_vec()).unwrap().replace('\n', "\r\n");

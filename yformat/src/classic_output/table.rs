@@ -11,7 +11,7 @@ impl<T: Copy> Table<T> {
     /// Rows of `columns` numbers, one after the other; a last row that is not whole is left out.
     #[must_use]
     pub fn new(columns: usize, mut values: Vec<T>) -> Self {
-        let whole = if columns == 0 { 0 } else { values.len() / columns * columns };
+        let whole = values.len().checked_div(columns).unwrap_or(0) * columns;
         values.truncate(whole);
         Self { columns, values }
     }
@@ -25,7 +25,7 @@ impl<T: Copy> Table<T> {
     /// How many rows there are.
     #[must_use]
     pub fn len(&self) -> usize {
-        if self.columns == 0 { 0 } else { self.values.len() / self.columns }
+        self.values.len().checked_div(self.columns).unwrap_or(0)
     }
 
     /// Whether there are no rows.

@@ -134,6 +134,12 @@ impl CodedRecord {
         self.numbers.get(..self.kind.reals()).unwrap_or_default()
     }
 
+    /// A real of the line, counted from 0, in units of its scale: -1 to 1.
+    #[must_use]
+    pub fn unit(&self, index: usize) -> Option<f64> {
+        self.numbers().get(index).map(|&number| self.digits.decode(number))
+    }
+
     /// Appends the line, without line end.
     pub(super) fn push_line(&self, line: &mut Vec<u8>) {
         line.push(digit_of(self.digits.get() as u8));
