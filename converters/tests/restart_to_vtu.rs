@@ -89,3 +89,36 @@ fn what_cannot_be_shown_is_named() {
     assert!(error.contains("a.y:1:1: error[deck::unknown-database]"), "{error}");
     assert!(!folder.path().join("a.vtu").exists());
 }
+
+/// Every shared deck of the classic dialect, where they are there.
+#[test]
+fn shared_decks_of_the_classic_dialect_are_converted() {
+    let shared = match std::env::var_os("YPSILON_SHARED") {
+        Some(folder) => PathBuf::from(folder),
+        None => Path::new(env!("CARGO_MANIFEST_DIR")).join("../../shared"),
+    };
+    let mut folders: Vec<PathBuf> =
+        ["thirdparty/acse/decks", "thirdparty/acse/test"].map(|part| shared.join(part)).to_vec();
+    for part in ["reference/classic", "thirdparty/reference/classic"] {
+        let runs = fs::read_dir(shared.join(part)).into_iter().flatten();
+        folders.extend(runs.map(|run| run.unwrap().path()));
+    }
+    let output = tempfile::tempdir().unwrap();
+    let mut decks = 0;
+    for entry in folders.iter().flat_map(|folder| fs::read_dir(folder).into_iter().flatten()) {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|extension| extension != "y") {
+            continue;
+        }
+        let report = restart_to_vtu(&path, output.path(), "a");
+        let report = report.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+        for grid in &report.grids {
+            assert!(read(grid).attributes["NumberOfCells"] != "0", "{}", path.display());
+        }
+        decks += 1;
+    }
+    match decks {
+        0 => println!("skipped: no classic decks under {}", shared.display()),
+        _ => println!("{decks} shared decks are converted"),
+    }
+}
