@@ -54,6 +54,39 @@ fn is_d3plot(head: &[u8]) -> bool {
     )
 }
 
+/// The first line is that of a `.ym` snapshot.
+///
+/// ```
+/// use ypsilon_converters::detect::is_ym;
+/// assert!(is_ym(b"CODED\n") && !is_ym(b"CODED2\n"));
+/// ```
+pub fn is_ym(head: &[u8]) -> bool {
+    head.strip_prefix(b"CODED")
+        .is_some_and(|rest| rest.is_empty() || rest.starts_with(b"\n") || rest.starts_with(b"\r\n"))
+}
+
+/// The first word outside of comments is one of a deck.
+///
+/// ```
+/// use ypsilon_converters::detect::is_deck;
+/// assert!(is_deck(b"     /*   Control   */\n/YD/YDC/MCSTEP     2000\n"));
+/// ```
+pub fn is_deck(head: &[u8]) -> bool {
+    let mut in_comment = false;
+    for word in head.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
+        match (in_comment, word) {
+            (true, word) => in_comment = !word.starts_with(b"*/"),
+            (false, word) if word.starts_with(b"/*") => in_comment = true,
+            (false, word) => {
+                return [&b"/YD/"[..], b"$YDOIT", b"$YSTOP", b"$YINCL"]
+                    .iter()
+                    .any(|start| word.starts_with(start));
+            }
+        }
+    }
+    false
+}
+
 /// The first whole line is a time and a value, both printed with sign and exponent.
 fn is_history(head: &[u8]) -> bool {
     let end = head.iter().position(|&b| b == b'\n').unwrap_or(head.len());

@@ -31,6 +31,32 @@ pub enum ConvertError {
         /// What is wrong with it.
         source: yformat::history::HistoryError,
     },
+    /// A snapshot cannot be read.
+    #[error(transparent)]
+    Ym(#[from] yformat::ym::YmError),
+    /// The name of a file is not one that the program gives its snapshots.
+    #[error(
+        "{path} is not called like a snapshot: a name, a number and `.ym` are expected, such as \
+         wall12.ym",
+        path = path.display()
+    )]
+    NotASnapshot {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A restart deck cannot be read.
+    #[error(transparent)]
+    Restart(#[from] yformat::classic_output::RestartError),
+    /// An element of a deck names a node that does not exist.
+    #[error("element {element} names node {node}, but there are {nodes}, counted from 0")]
+    NoSuchDeckNode {
+        /// Element number, from 0.
+        element: usize,
+        /// The node it names, from 0.
+        node: i64,
+        /// Number of nodes.
+        nodes: usize,
+    },
     /// An element names a node that does not exist.
     #[error("element {element} names node {node}, but nodes run from 1 to {nodes}")]
     NoSuchNode {

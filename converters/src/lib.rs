@@ -4,6 +4,8 @@
 //! * [`vtk`]: unstructured grids (`.vtu`) and time series of them (`.pvd`)
 //! * [`d3plot`]: d3plot families to time series
 //! * [`history`]: `.yh` histories to CSV
+//! * [`ym`]: `.ym` snapshots of the classic dialect to time series
+//! * [`restart`]: decks of the classic dialect, restart decks above all, to grids
 //! * [`detect`]: what kind of file something is, by its content
 //! * [`stress_measures`]: von Mises, principal and Tresca stresses
 
@@ -12,7 +14,9 @@ pub mod detect;
 mod error;
 pub mod history;
 mod replace_file;
+pub mod restart;
 pub mod stress_measures;
 pub mod vtk;
+pub mod ym;
 
 pub use error::ConvertError;

@@ -3,7 +3,7 @@
 use std::fs;
 use std::path::Path;
 
-use ypsilon_converters::detect::{FileKind, detect, detect_file};
+use ypsilon_converters::detect::{FileKind, detect, detect_file, is_deck, is_ym};
 
 #[test]
 fn d3plot_families_are_recognised() {
@@ -26,10 +26,31 @@ fn histories_are_recognised() {
 }
 
 #[test]
+fn decks_are_recognised() {
+    let long = "/* a deck */\n/YD/YDC/MCSTEP 600\n".repeat(50);
+    let late = format!("/* {} */\r\n\t/YD/YDPE/MPROP 1", "comment ".repeat(90));
+    for text in [long.as_str(), &late, "$YINCL mesh.y\n", "  $YDOIT"] {
+        assert!(is_deck(text.as_bytes()), "{text}");
+    }
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../yformat/tests/data/classic");
+    let restart = folder.join("g_joint_pair4_restart.y");
+    assert!(is_deck(&fs::read(restart).unwrap()));
+}
+
+#[test]
+fn snapshots_are_recognised() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../yformat/tests/data/classic");
+    assert!(is_ym(&fs::read(folder.join("g_joint_pair4.ym")).unwrap()));
+    for text in [&b"CODED"[..], b"CODED\r\n"] {
+        assert!(is_ym(text));
+    }
+}
+
+#[test]
 fn other_files_are_unknown() {
-    let deck = "/* a deck */\n/YD/YDC/MCSTEP 600\n".repeat(50);
-    for bytes in [&b""[..], b"\n", b"time,value\n", deck.as_bytes(), &[0; 256], &[0xff; 256]] {
+    for bytes in [&b""[..], b"\n", b"time,value\n", b"CODEDX\n", &[0; 256], &[0xff; 256]] {
         assert_eq!(detect(bytes), FileKind::Unknown);
+        assert!(!is_ym(bytes) && !is_deck(bytes));
     }
     assert!(detect_file(Path::new("no such file")).is_err());
 }

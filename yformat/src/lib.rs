@@ -5,8 +5,10 @@
 //! - [`d3plot`]: binary result families for LS-PrePost.
 //! - [`history`]: `.yh` histories.
 //! - [`ygeo_output`]: the VTK XML and text files of the Y-Geo dialect.
+//! - [`ym`]: `.ym` snapshots of the classic dialect, [`classic_output`]: its other files.
 
 pub mod c_format;
+pub mod classic_output;
 pub mod d3plot;
 pub mod database;
 pub mod deck;
@@ -17,3 +19,4 @@ pub mod keywords;
 pub mod part_file;
 pub mod source;
 pub mod ygeo_output;
+pub mod ym;

@@ -245,6 +245,27 @@ fn restart_decks_of_the_classic_program_are_read_past_their_mistake() {
 }
 
 #[test]
+fn undefined_joint_states_of_restart_decks_are_taken() {
+    let text = "/YD/YDJ/NJOINT 3 /YD/YDJ/D1JAPH 3  -nan +1.5e+00 +inf /YD/YDC/MCSTEP 4 $YDOIT\n";
+    let outcome = read(Classic, text);
+    assert_eq!(codes(&outcome), ["deck::undefined-state"]);
+    assert_eq!(outcome.deck.to_text(), text);
+    assert_eq!(outcome.diagnostics[0].severity, yformat::diagnostic::Severity::Note);
+    let database = execute(&outcome.deck);
+    let apertures = database.reals("YDJ/D1JAPH").unwrap();
+    assert!(apertures.get1(0).is_nan() && apertures.get1(0).is_sign_negative());
+    assert_eq!([apertures.get1(1), apertures.get1(2)], [1.5, f64::INFINITY]);
+    let span = apertures.span(&outcome.deck, [1, 0, 0]).unwrap();
+    assert_eq!(outcome.deck.sources().text(span), "+1.5e+00");
+    // elsewhere, and for what is no such word, it stays an error
+    for refused in
+        ["/YD/YDN/MNOPO 1 /YD/YDN/D1NMCT 1 nan\n", "/YD/YDJ/NJOINT 1 /YD/YDJ/D1JAPH 1 nano\n"]
+    {
+        assert_eq!(codes(&read(Classic, refused)), ["deck::not-a-number"], "{refused}");
+    }
+}
+
+#[test]
 fn dialects_keep_their_keywords_apart() {
     let unknown = |dialect, text: &str| {
         let outcome = read(dialect, &format!("{text} 6 $YDOIT\n"));

@@ -36,7 +36,8 @@ pub(super) fn read(
         Some((table, None)) => return Err(super::unknown::keyword(dialect, table, text, word)),
         None => return Err(super::unknown::database(dialect, text, word)),
     };
-    let mut cursor = Cursor { bytes, source, at: word.end, keyword, dialect, warnings: Vec::new() };
+    let (warnings, undefined) = (Vec::new(), None);
+    let mut cursor = Cursor { bytes, source, at: word.end, keyword, dialect, warnings, undefined };
     cursor.warnings.extend(trailing_characters(dialect, keyword, text, word));
     let (value, short) = match (keyword.rank(), keyword.number) {
         (0, NumberKind::Integer) => scalar::<i64>(&mut cursor, word, Value::Integer)?,
@@ -45,6 +46,7 @@ pub(super) fn read(
         (_, NumberKind::Real) => array::<f64>(&mut cursor, word, Value::Reals)?,
     };
     refuse_negative(&cursor, &value)?;
+    note_undefined(&mut cursor);
     let (end, warnings) = (cursor.at, cursor.warnings);
     Ok(Read { assignment: Assignment { keyword, value }, end, warnings, short })
 }
@@ -197,6 +199,18 @@ fn skip_scratch_array(cursor: &mut Cursor<'_>) -> Result<(), Diagnostic> {
         cursor.at = before;
     }
     Ok(())
+}
+
+/// Joint states of a restart deck may hold values that the program never defined.
+fn note_undefined(cursor: &mut Cursor<'_>) {
+    let Some((first, count)) = cursor.undefined else {
+        return;
+    };
+    let plural = if count == 1 { "value is" } else { "values are" };
+    let message = format!("{count} {plural} not finite in {}", cursor.keyword.path());
+    cursor.warnings.push(
+        Diagnostic::note("deck::undefined-state", message).at(first).label("the first of them"),
+    );
 }
 
 /// The classic program writes its restart decks with the count 0 before all the masses, and then

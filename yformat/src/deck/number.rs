@@ -48,6 +48,10 @@ impl<T> Scanned<T> {
 pub(super) trait Number: Copy {
     /// Scans one number from `at`.
     fn scan(bytes: &[u8], at: usize) -> Scanned<Self>;
+
+    /// The value of a whole word that is refused as [`Refusal::NotFinite`], for the few keywords
+    /// that may hold such values.
+    fn not_finite(word: &[u8]) -> Option<Self>;
 }
 
 impl Number for i64 {
@@ -64,6 +68,10 @@ impl Number for i64 {
             sum.checked_mul(10)?.checked_add(if negative { -digit } else { digit })
         });
         Scanned::new(grown.map_or(Scan::Refused(Refusal::OutOfRange), Scan::Value), start, end)
+    }
+
+    fn not_finite(_: &[u8]) -> Option<i64> {
+        None
     }
 }
 
@@ -100,6 +108,20 @@ impl Number for f64 {
             None => Scan::Failed,
         };
         Scanned { scan, start, end, incomplete_exponent: end > number_end }
+    }
+
+    fn not_finite(word: &[u8]) -> Option<f64> {
+        let (sign, unsigned) = match word {
+            [b'-', rest @ ..] => (-1.0, rest),
+            [b'+', rest @ ..] => (1.0, rest),
+            _ => (1.0, word),
+        };
+        let magnitude = match unsigned.to_ascii_lowercase().as_slice() {
+            b"nan" | b"nan(ind)" | b"nan(snan)" => f64::NAN,
+            b"inf" | b"infinity" => f64::INFINITY,
+            _ => return None,
+        };
+        Some(magnitude.copysign(sign))
     }
 }
 
@@ -171,6 +193,24 @@ mod tests {
         for (text, value, rest) in table {
             assert_eq!(integer(text), (value, rest), "{text}");
         }
+    }
+
+    #[test]
+    fn undefined_reals_keep_their_sign() {
+        for (word, nan, negative) in [
+            ("nan", true, false),
+            ("-nan", true, true),
+            ("+NaN", true, false),
+            ("-nan(ind)", true, true),
+            ("-inf", false, true),
+            ("Infinity", false, false),
+        ] {
+            let value = f64::not_finite(word.as_bytes()).unwrap();
+            assert_eq!((value.is_nan(), value.is_sign_negative()), (nan, negative), "{word}");
+            assert!(!value.is_finite());
+        }
+        assert_eq!(f64::not_finite(b"nano"), None);
+        assert_eq!(i64::not_finite(b"nan"), None);
     }
 
     #[test]

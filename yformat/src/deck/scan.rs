@@ -24,6 +24,8 @@ pub(super) struct Cursor<'a> {
     pub keyword: &'static Keyword,
     pub dialect: Dialect,
     pub warnings: Vec<Diagnostic>,
+    /// The first `nan` or infinite value that was taken, and how many there are.
+    pub undefined: Option<(Span, usize)>,
 }
 
 impl Cursor<'_> {
@@ -65,6 +67,16 @@ impl Cursor<'_> {
                 Ok(Found::Swallowed)
             }
             Scan::Failed => Ok(Found::Nothing),
+            Scan::Refused(Refusal::NotFinite) if self.keyword.may_be_undefined => {
+                let word = self.bytes.get(span.range()).unwrap_or_default();
+                let Some(value) = T::not_finite(word) else {
+                    return Err(self.refuse(Refusal::NotFinite, span));
+                };
+                self.at = scanned.end;
+                let (first, count) = self.undefined.unwrap_or((span, 0));
+                self.undefined = Some((first, count + 1));
+                Ok(Found::Value(value))
+            }
             Scan::Refused(refusal) => Err(self.refuse(refusal, span)),
         }
     }

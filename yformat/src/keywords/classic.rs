@@ -99,34 +99,40 @@ static YDE: &[Keyword] = &of(
         reals("D1ELME", ELEMENTS, "-", "event magnitude").fill(-1e15),
         integers("I2ELTO", TOPOLOGY, "nodes of the element, from 0, counter-clockwise").required(),
         integers("I2ELJP", TOPOLOGY, "joint element on each edge of a triangle").required(),
-        reals("D2ELFS", TOPOLOGY, "Pa", "shear strength at the three points of a joint (restart)"),
+        reals("D2ELFS", TOPOLOGY, "Pa", "shear strength at the three points of a joint (restart)")
+            .may_be_undefined(),
     ],
 );
+
+/// What the program remembers of each joint.
+const fn joint_state(name: &'static str, unit: &'static str, meaning: &'static str) -> Keyword {
+    reals(name, JOINTS, unit, meaning).may_be_undefined()
+}
 
 static YDJ: &[Keyword] = &of(
     "YDJ",
     [
         integer("NJOINT", 0, "number of joint elements"),
         integers("I1JTID", JOINTS, "element number of the joint"),
-        reals("D1JKNI", JOINTS, "Pa/m", "initial normal stiffness"),
-        reals("D1JKNC", JOINTS, "Pa/m", "current normal stiffness"),
-        reals("D1JKSC", JOINTS, "Pa/m", "current shear stiffness"),
-        reals("D1JNST", JOINTS, "Pa", "normal stress, compression positive"),
-        reals("D1JSST", JOINTS, "Pa", "shear stress"),
-        reals("D1JAPI", JOINTS, "m", "initial mechanical aperture"),
-        reals("D1JAPC", JOINTS, "m", "current mechanical aperture"),
-        reals("D1JAPH", JOINTS, "m", "hydraulic aperture"),
-        reals("D1JAPR", JOINTS, "m", "residual mechanical aperture"),
-        reals("D1JSDC", JOINTS, "m", "shear displacement"),
-        reals("D1JDLC", JOINTS, "m", "dilation"),
-        reals("D1JSDP", JOINTS, "m", "peak shear displacement"),
-        reals("D1JEFL", JOINTS, "m", "effective fracture length"),
-        reals("D1JJRC", JOINTS, "-", "scaled roughness coefficient"),
-        reals("D1JJCS", JOINTS, "MPa", "scaled wall strength"),
-        reals("D1JPHI", JOINTS, "°", "mobilised asperity angle"),
-        reals("D1JFMD", JOINTS, "-", "failure mode: 0 none, 1 tension, 2 shear, between mixed"),
-        reals("D1JFPR", JOINTS, "Pa", "fluid pressure"),
-        reals("D1JFET", JOINTS, "s", "time at which the fluid entered"),
+        joint_state("D1JKNI", "Pa/m", "initial normal stiffness"),
+        joint_state("D1JKNC", "Pa/m", "current normal stiffness"),
+        joint_state("D1JKSC", "Pa/m", "current shear stiffness"),
+        joint_state("D1JNST", "Pa", "normal stress, compression positive"),
+        joint_state("D1JSST", "Pa", "shear stress"),
+        joint_state("D1JAPI", "m", "initial mechanical aperture"),
+        joint_state("D1JAPC", "m", "current mechanical aperture"),
+        joint_state("D1JAPH", "m", "hydraulic aperture"),
+        joint_state("D1JAPR", "m", "residual mechanical aperture"),
+        joint_state("D1JSDC", "m", "shear displacement"),
+        joint_state("D1JDLC", "m", "dilation"),
+        joint_state("D1JSDP", "m", "peak shear displacement"),
+        joint_state("D1JEFL", "m", "effective fracture length"),
+        joint_state("D1JJRC", "-", "scaled roughness coefficient"),
+        joint_state("D1JJCS", "MPa", "scaled wall strength"),
+        joint_state("D1JPHI", "°", "mobilised asperity angle"),
+        joint_state("D1JFMD", "-", "failure mode: 0 none, 1 tension, 2 shear, between mixed"),
+        joint_state("D1JFPR", "Pa", "fluid pressure"),
+        joint_state("D1JFET", "s", "time at which the fluid entered"),
     ],
 );
 

@@ -142,6 +142,9 @@ pub struct Keyword {
     pub scratch_follows: bool,
     /// The third size of a rank-3 array may be absent, as all known writers leave it out.
     pub short_header: bool,
+    /// Values may be `nan` or infinite: the program writes this state as it is into its restart
+    /// decks, entries that it never defined included.
+    pub may_be_undefined: bool,
 }
 
 impl Keyword {
@@ -184,6 +187,7 @@ impl Keyword {
             stores_into: None,
             scratch_follows: false,
             short_header: false,
+            may_be_undefined: false,
         }
     }
 
@@ -244,6 +248,11 @@ impl Keyword {
 
     pub(super) const fn short_header(mut self) -> Self {
         self.short_header = true;
+        self
+    }
+
+    pub(super) const fn may_be_undefined(mut self) -> Self {
+        self.may_be_undefined = true;
         self
     }
 
