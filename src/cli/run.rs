@@ -17,7 +17,7 @@ pub(super) struct RunArguments {
     #[arg(long = "out", value_name = "DIR", default_value = ".")]
     folder: PathBuf,
     /// Result files to write
-    #[arg(long, value_delimiter = ',', value_name = "LIST", default_value = "d3plot,yh,vtu")]
+    #[arg(long, value_delimiter = ',', value_name = "LIST", default_value = "native,vtu")]
     formats: Vec<Format>,
     /// Threads to compute with; results do not depend on it [default: all cores]
     #[arg(long, value_name = "N")]

@@ -1,24 +1,31 @@
-//! `.yh` histories of a run (spec `y2d3d.md` G.3).
+//! `.yh` histories of a run (spec `y2d3d.md` G.3, `outputs.md` 2 and 5.7).
 
 use super::{OutputError, OutputNames, ResultWriter};
-use crate::simulation::Simulation;
+use crate::{
+    mechanics::Vec2,
+    scene::{HistoryLines, Probe},
+    simulation::Simulation,
+};
 use std::{
     fs,
-    io::{BufWriter, Write},
+    io::{self, BufWriter, Write},
     path::PathBuf,
 };
 use yformat::{
+    dialect::Dialect,
     history::{HistoryWriter, LineStyle},
     part_file::PartFile,
 };
 
 /// Lines are written at steps whose index is a multiple of this: fixed in the
-/// original, whatever the output interval.
+/// original of the split dialect, whatever the output interval.
 const LINE_INTERVAL: u64 = 100;
+/// Property set over whose nodes the classic dialect sums contact forces: fixed there.
+const SUMMED_SET: i32 = 1;
 
 /// Writes one file per history.
 pub struct HistoryOutput {
-    files: Vec<HistoryWriter<BufWriter<PartFile>>>,
+    files: Vec<(PathBuf, BufWriter<PartFile>)>,
 }
 
 impl HistoryOutput {
@@ -39,36 +46,73 @@ impl HistoryOutput {
                 let earlier = fs::read(&path).map_err(OutputError::io(&path))?;
                 part.write_all(&earlier).map_err(OutputError::io(&path))?;
             }
-            Ok(HistoryWriter::new(BufWriter::new(part), LineStyle::Unix))
+            Ok((path, BufWriter::new(part)))
         };
         let files = (0..simulation.scene().probes.len()).map(open).collect::<Result<_, _>>()?;
         Ok(Self { files })
     }
+
+    /// Writes a line of each history for which one `is_due`.
+    fn lines(
+        &mut self,
+        simulation: &Simulation,
+        is_due: impl Fn(usize) -> bool,
+    ) -> Result<(), OutputError> {
+        let probes = &simulation.scene().probes;
+        for (index, (probe, (path, file))) in probes.iter().zip(&mut self.files).enumerate() {
+            if is_due(index) {
+                let value = simulation.probe_values()[index];
+                line(file, simulation, probe, value).map_err(OutputError::io(path.as_path()))?;
+            }
+        }
+        Ok(())
+    }
+}
+
+fn line(
+    file: &mut impl Write,
+    simulation: &Simulation,
+    probe: &Probe,
+    value: f64,
+) -> io::Result<()> {
+    let (time, value) = (simulation.time() * probe.time_factor, value * probe.value_factor);
+    match simulation.scene().conventions.dialect {
+        Dialect::Classic => {
+            let force = contact_force_on_set(simulation, SUMMED_SET);
+            yformat::classic_output::write_history_point(file, time, value, force.into())
+        }
+        Dialect::YGeo => yformat::ygeo_output::write_history_point(file, time, value),
+        Dialect::Split | Dialect::Y3d => {
+            HistoryWriter::new(file, LineStyle::Unix).write(time, value)
+        }
+    }
+}
+
+/// Sum of the contact forces on the nodes of a property set, nodes ascending, N.
+fn contact_force_on_set(simulation: &Simulation, set: i32) -> Vec2 {
+    let nodes = simulation.scene().nodes.set.iter().zip(simulation.contact_forces());
+    nodes.filter(|(s, _)| **s == set).fold(Vec2::zeros(), |sum, (_, force)| sum + force)
 }
 
 impl ResultWriter for HistoryOutput {
     fn after_forces(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        if !simulation.step_index().is_multiple_of(LINE_INTERVAL) {
+        let is_due = simulation.scene().conventions.history_lines
+            == HistoryLines::EveryHundredSteps
+            && simulation.step_index().is_multiple_of(LINE_INTERVAL);
+        self.lines(simulation, |_| is_due)
+    }
+
+    fn after_motion(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+        if simulation.scene().conventions.history_lines != HistoryLines::WhenRefreshed {
             return Ok(());
         }
-        let probes = &simulation.scene().probes;
-        for ((file, probe), &value) in
-            self.files.iter_mut().zip(probes).zip(simulation.probe_values())
-        {
-            let time = simulation.time() * probe.time_factor;
-            file.write(time, value * probe.value_factor)
-                .map_err(OutputError::io("a history file"))?;
-        }
-        Ok(())
+        let now = simulation.time();
+        self.lines(simulation, |index| simulation.probe_times()[index] == now)
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
-        let complete = |file: HistoryWriter<BufWriter<PartFile>>| {
-            let part = file
-                .into_inner()
-                .into_inner()
-                .map_err(|e| OutputError::io("a history file")(e.into_error()))?;
-            let path = part.path().to_path_buf();
+        let complete = |(path, file): (PathBuf, BufWriter<PartFile>)| {
+            let part = file.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
             part.complete().map_err(OutputError::io(path))
         };
         self.files.into_iter().map(complete).collect()

@@ -35,6 +35,15 @@ pub trait ResultWriter {
     /// If a file cannot be written.
     fn after_forces(&mut self, simulation: &Simulation) -> Result<(), OutputError>;
 
+    /// Looks at the state after the nodes have moved, while step and time are still
+    /// those of the forces.
+    ///
+    /// # Errors
+    /// If a file cannot be written.
+    fn after_motion(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
+        Ok(())
+    }
+
     /// Looks at the state after a completed step.
     ///
     /// # Errors

@@ -122,10 +122,11 @@ fn open_writers(
     simulation: &Simulation,
 ) -> Result<Vec<Box<dyn ResultWriter>>, OutputError> {
     let mut writers: Vec<Box<dyn ResultWriter>> = Vec::new();
-    if options.formats.contains(&Format::Yh) {
+    let formats = Format::expand(&options.formats, simulation.scene().conventions.dialect);
+    if formats.contains(&Format::Yh) {
         writers.push(Box::new(HistoryOutput::open(names, simulation)?));
     }
-    if options.formats.contains(&Format::D3plot) {
+    if formats.contains(&Format::D3plot) {
         let today = jiff::Zoned::now().date();
         let start = StartDate {
             day: today.day().unsigned_abs(),
@@ -134,7 +135,7 @@ fn open_writers(
         };
         writers.push(Box::new(D3plotOutput::new(names, start, options.legacy_d3plot)));
     }
-    if options.formats.contains(&Format::Vtu) {
+    if formats.contains(&Format::Vtu) {
         writers.push(Box::new(VtuOutput::new(names)));
     }
     if !options.states.is_empty() {
@@ -241,7 +242,11 @@ impl Session<'_> {
             for writer in &mut self.writers {
                 writer.after_forces(simulation)?;
             }
-            simulation.advance();
+            simulation.move_bodies();
+            for writer in &mut self.writers {
+                writer.after_motion(simulation)?;
+            }
+            simulation.complete_step();
             self.done += 1;
             self.triangle_steps += triangles;
             for writer in &mut self.writers {

@@ -76,6 +76,12 @@ impl Simulation {
         &self.probe_values
     }
 
+    /// Times at which they were refreshed last, s.
+    #[must_use]
+    pub fn probe_times(&self) -> &[f64] {
+        &self.probe_times
+    }
+
     /// Kinetic energy at the end of the previous step (0 before the first), J,
     /// as output states carry it. Only up to date in steps that write one or
     /// in scenes that record it.

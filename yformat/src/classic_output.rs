@@ -19,6 +19,7 @@
 mod contact_forces;
 mod error;
 mod gid_mesh;
+mod history_point;
 mod names;
 mod restart;
 mod table;
@@ -27,6 +28,7 @@ mod text;
 pub use contact_forces::ContactForceSums;
 pub use error::RestartError;
 pub use gid_mesh::GidMesh;
+pub use history_point::write_history_point;
 pub use names::OutputNames;
 pub use restart::{
     Contact, Control, Elements, HistoryState, JointState, MassCount, Nodes, PropertySet,
