@@ -57,7 +57,7 @@ impl Default for Aperture {
         Self {
             initial_stiffness: STIFF,
             normal_stiffness: STIFF,
-            shear_stiffness: STIFF,
+            shear_stiffness: 0.0,
             normal_stress: 0.0,
             shear_stress: 0.0,
             initial: 0.0,
@@ -83,6 +83,11 @@ fn initial_stiffness(roughness: f64, wall_strength: f64, aperture: f64) -> f64 {
     (-7.15 + 1.75 * roughness + 0.02 * wall_strength / aperture * 1e-3) * 1e9
 }
 
+/// Shear displacement at the peak stress by Barton, m.
+fn peak_slip(length: f64, roughness: f64) -> f64 {
+    length / 500.0 * (roughness / length).powf(0.33)
+}
+
 impl Aperture {
     /// An intact joint: what its fracture would begin with.
     #[must_use]
@@ -99,6 +104,7 @@ impl Aperture {
             initial,
             current: initial,
             residual: larger(initial / 10.0, residual),
+            peak_slip: peak_slip(rock.sample_length, roughness),
             length: rock.sample_length,
             roughness,
             wall_strength,
@@ -156,7 +162,7 @@ impl Aperture {
             current: initial,
             residual,
             hydraulic: microns * microns / roughness.powf(2.5) / 1e6,
-            peak_slip: section / 500.0 * (roughness / section).powf(0.33),
+            peak_slip: peak_slip(section, roughness),
             length: section,
             roughness,
             wall_strength,

@@ -10,7 +10,9 @@ mod elements;
 mod error;
 mod histories;
 mod names;
+mod restart_deck;
 mod run_table;
+mod snapshots;
 mod state_file;
 mod vtu;
 
@@ -19,15 +21,26 @@ pub use d3plot::D3plotOutput;
 pub use error::OutputError;
 pub use histories::HistoryOutput;
 pub use names::OutputNames;
+pub use restart_deck::RestartDeckOutput;
 pub use run_table::{RunTable, TABLE_HEADER, table_row};
+pub use snapshots::SnapshotOutput;
 pub use state_file::{StateFileOutput, write_state};
 pub use vtu::VtuOutput;
 
 use crate::simulation::Simulation;
 use std::path::PathBuf;
+use yformat::{database::Database, deck::Deck};
 
 /// A kind of result file.
 pub trait ResultWriter {
+    /// Looks at the values of a stage of the deck before its first step.
+    ///
+    /// # Errors
+    /// If they cannot be written out.
+    fn begin_stage(&mut self, _deck: &Deck, _values: &Database) -> Result<(), OutputError> {
+        Ok(())
+    }
+
     /// Looks at the state after the forces of a step were evaluated and before
     /// the nodes move, and writes what is due at this step.
     ///

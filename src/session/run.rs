@@ -7,8 +7,8 @@ use super::{
 };
 use crate::{
     output::{
-        D3plotOutput, HistoryOutput, OutputError, OutputNames, ResultWriter, RunTable,
-        StateFileOutput, TABLE_HEADER, VtuOutput, table_row,
+        D3plotOutput, HistoryOutput, OutputError, OutputNames, RestartDeckOutput, ResultWriter,
+        RunTable, SnapshotOutput, StateFileOutput, TABLE_HEADER, VtuOutput, table_row,
     },
     scene::Profile,
     simulation::Simulation,
@@ -126,6 +126,13 @@ fn open_writers(
     if formats.contains(&Format::Yh) {
         writers.push(Box::new(HistoryOutput::open(names, simulation)?));
     }
+    let is_classic = simulation.classic_joints().is_some();
+    if is_classic && formats.contains(&Format::Ym) {
+        writers.push(Box::new(SnapshotOutput::open(names, simulation)?));
+    }
+    if is_classic && formats.contains(&Format::Restart) {
+        writers.push(Box::new(RestartDeckOutput::new(names)));
+    }
     if formats.contains(&Format::D3plot) {
         let today = jiff::Zoned::now().date();
         let start = StartDate {
@@ -182,6 +189,9 @@ impl Session<'_> {
                             RunError::Stage { sources, findings }
                         })?;
                     self.report_new(&findings, deck.sources())?;
+                }
+                for writer in &mut self.writers {
+                    writer.begin_stage(&deck, &database)?;
                 }
                 if self.run_stage(&mut simulation)? == StopReason::Interrupted {
                     return Ok(StopReason::Interrupted);

@@ -50,6 +50,17 @@ impl ClassicJoints {
         if self.is_shared { element + 3 * point } else { 3 * element + point }
     }
 
+    /// What lies in the store for a column of an element's row, as restart decks
+    /// show it; nothing is stored beyond the last strength.
+    #[must_use]
+    pub fn stored_strength(&self, element: usize, column: usize) -> f64 {
+        if self.is_shared || column < 3 {
+            self.strengths.get(self.slot(element, column)).copied().unwrap_or(0.0)
+        } else {
+            0.0
+        }
+    }
+
     /// Number of the first element that is a joint.
     #[must_use]
     pub fn first_joint(&self) -> usize {

@@ -24,13 +24,14 @@ use crate::{
     mechanics::Vec2,
     scene::{CohesiveModel, ContactSum, Scene},
 };
-use classic_joints::ClassicJoints;
 use element_forces::TriangleResponse;
 use joint_forces::EvaluatedJoint;
-use joint_records::JointRecord;
 use nalgebra::Matrix2;
 use plan::{ForcePhase, Plan};
 
+pub use classic_joints::ClassicJoints;
+pub use emission::{Emission, EmissionStage};
+pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
 /// Choices that change how fast a simulation runs, never its results.

@@ -1,12 +1,13 @@
 //! What output reads of a simulation.
 
-use super::Simulation;
+use super::{Simulation, plan::stress_law};
 use crate::{
-    contact::CoupleWork,
+    contact::{CoupleWork, Tally},
     insertion::InsertionReport,
     mechanics::{
         Vec2,
         joint2::{self, JointState, SplitRules, YGeoRules},
+        triangle::{ReferenceShape, cauchy_stress},
     },
     scene::{CohesiveModel, ElementKind, JointKind, Scene},
 };
@@ -74,6 +75,34 @@ impl Simulation {
     #[must_use]
     pub fn probe_values(&self) -> &[f64] {
         &self.probe_values
+    }
+
+    /// Factor on pressure and traction of each node set.
+    #[must_use]
+    pub fn edge_factors(&self) -> &[f64] {
+        &self.edge_factors
+    }
+
+    /// Contact forces of each element in the last output step (classic).
+    #[must_use]
+    pub fn contact_tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    /// Cauchy stress of an elastic triangle where its nodes are now, Pa.
+    #[must_use]
+    pub fn present_stress(&self, element: usize) -> Option<Matrix2<f64>> {
+        let scene = &self.scene;
+        let material = scene.material_of(element)?;
+        if material.kind != ElementKind::ElasticTriangle {
+            return None;
+        }
+        let nodes = scene.elements.corners::<3>(element);
+        let reference = ReferenceShape::new(&nodes.map(|n| scene.nodes.initial[n]));
+        let law = stress_law(material, scene.conventions.volumetric);
+        let corners = nodes.map(|n| scene.nodes.current[n]);
+        let velocities = nodes.map(|n| scene.nodes.velocity[n]);
+        Some(cauchy_stress(&law, &reference, &corners, &velocities))
     }
 
     /// Times at which they were refreshed last, s.

@@ -41,7 +41,8 @@ pub fn main(dialect: &str) -> ExitCode {
     conclusion.exit_code()
 }
 
-fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
+/// Folders of all cases of a dialect by name.
+pub fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let beside = ["../shared/reference", "../shared/thirdparty/reference"];
     let beside = beside.map(|folder| root.join(folder).join(dialect));
