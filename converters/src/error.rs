@@ -15,7 +15,11 @@ pub enum ConvertError {
         source: io::Error,
     },
     /// The content is of no kind that can be converted.
-    #[error("{path} is neither a d3plot family nor a history", path = path.display())]
+    #[error(
+        "{path} is of no kind that can be converted; known are d3plot families, `.yh` histories, \
+         Gmsh meshes, Y-Geo's VTK files and decks",
+        path = path.display()
+    )]
     Unrecognised {
         /// The file.
         path: PathBuf,
@@ -30,6 +34,14 @@ pub enum ConvertError {
         path: PathBuf,
         /// What is wrong with it.
         source: yformat::history::HistoryError,
+    },
+    /// The Gmsh mesh cannot be read or makes no deck.
+    #[error("{path}: {source}", path = path.display())]
+    Gmsh {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: crate::gmsh::GmshError,
     },
     /// An element names a node that does not exist.
     #[error("element {element} names node {node}, but nodes run from 1 to {nodes}")]

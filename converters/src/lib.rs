@@ -4,12 +4,14 @@
 //! * [`vtk`]: unstructured grids (`.vtu`) and time series of them (`.pvd`)
 //! * [`d3plot`]: d3plot families to time series
 //! * [`history`]: `.yh` histories to CSV
+//! * [`gmsh`]: Gmsh meshes to decks
 //! * [`detect`]: what kind of file something is, by its content
 //! * [`stress_measures`]: von Mises, principal and Tresca stresses
 
 pub mod d3plot;
 pub mod detect;
 mod error;
+pub mod gmsh;
 pub mod history;
 mod replace_file;
 pub mod stress_measures;
