@@ -16,6 +16,12 @@ pub enum FileKind {
     D3plot,
     /// A `.yh` history.
     History,
+    /// A Gmsh mesh.
+    Gmsh,
+    /// A VTK file as Y-Geo writes it: version 0.1, arrays as text.
+    VtkSeries,
+    /// An input deck of any dialect.
+    Deck,
     /// None of these.
     Unknown,
 }
@@ -35,13 +41,21 @@ pub fn detect_file(path: &Path) -> Result<FileKind, ConvertError> {
 /// ```
 /// use ypsilon_converters::detect::{FileKind, detect};
 /// assert_eq!(detect(b"+0.0000000000e+00 +0.0000000000e+00\n"), FileKind::History);
-/// assert_eq!(detect(b"/YD/YDC/MCSTEP 600\n"), FileKind::Unknown);
+/// assert_eq!(detect(b"$MeshFormat\n4.1 0 8\n"), FileKind::Gmsh);
+/// assert_eq!(detect(b"/* wall */ /YD/YDC/MCSTEP 600\n"), FileKind::Deck);
+/// assert_eq!(detect(b"time,value\n"), FileKind::Unknown);
 /// ```
 pub fn detect(head: &[u8]) -> FileKind {
     if is_d3plot(head) {
         FileKind::D3plot
     } else if is_history(head) {
         FileKind::History
+    } else if head.trim_ascii_start().starts_with(b"$MeshFormat") {
+        FileKind::Gmsh
+    } else if is_vtk(head) {
+        FileKind::VtkSeries
+    } else if is_deck(head) {
+        FileKind::Deck
     } else {
         FileKind::Unknown
     }
@@ -61,4 +75,31 @@ fn is_history(head: &[u8]) -> bool {
     line.first().is_some_and(|&b| matches!(b, b'+' | b'-'))
         && line.len() < 100
         && History::parse(line).is_ok_and(|history| history.points.len() == 1)
+}
+
+/// The opening tag of a VTK file of Y-Geo: poly data or an unstructured grid of version 0.1.
+fn is_vtk(head: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(head).replace('"', "'");
+    let tag = head.split_once("<VTKFile").and_then(|(_, rest)| rest.split_once('>'));
+    tag.is_some_and(|(tag, _)| {
+        (tag.contains("type='PolyData'") || tag.contains("type='UnstructuredGrid'"))
+            && tag.contains("version='0.1'")
+    })
+}
+
+/// The first word outside of comments is one of a deck.
+fn is_deck(head: &[u8]) -> bool {
+    let mut in_comment = false;
+    for word in head.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty()) {
+        match (in_comment, word) {
+            (true, word) => in_comment = !word.starts_with(b"*/"),
+            (false, word) if word.starts_with(b"/*") => in_comment = true,
+            (false, word) => {
+                return [&b"/YD/"[..], b"$YDOIT", b"$YSTOP", b"$YINCL"]
+                    .iter()
+                    .any(|start| word.starts_with(start));
+            }
+        }
+    }
+    false
 }

@@ -43,6 +43,23 @@ pub enum ConvertError {
         /// What is wrong with it.
         source: crate::gmsh::GmshError,
     },
+    /// A VTK file whose name does not say which step it shows.
+    #[error(
+        "{path}: the name has no step number; expected names such as wall.y_300.vtp",
+        path = path.display()
+    )]
+    SeriesName {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The VTK file cannot be read.
+    #[error("{path}: {message}", path = path.display())]
+    Vtk {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        message: String,
+    },
     /// An element names a node that does not exist.
     #[error("element {element} names node {node}, but nodes run from 1 to {nodes}")]
     NoSuchNode {

@@ -5,6 +5,7 @@
 //! * [`d3plot`]: d3plot families to time series
 //! * [`history`]: `.yh` histories to CSV
 //! * [`gmsh`]: Gmsh meshes to decks
+//! * [`vtk_series`]: Y-Geo's VTK files to time series
 //! * [`detect`]: what kind of file something is, by its content
 //! * [`stress_measures`]: von Mises, principal and Tresca stresses
 
@@ -16,5 +17,6 @@ pub mod history;
 mod replace_file;
 pub mod stress_measures;
 pub mod vtk;
+pub mod vtk_series;
 
 pub use error::ConvertError;

@@ -26,9 +26,19 @@ fn histories_are_recognised() {
 }
 
 #[test]
-fn other_files_are_unknown() {
+fn texts_are_told_apart() {
     let deck = "/* a deck */\n/YD/YDC/MCSTEP 600\n".repeat(50);
-    for bytes in [&b""[..], b"\n", b"time,value\n", deck.as_bytes(), &[0; 256], &[0xff; 256]] {
+    assert_eq!(detect(deck.as_bytes()), FileKind::Deck);
+    assert_eq!(detect(b"$MeshFormat\n2.2 0 8\n"), FileKind::Gmsh);
+    let vtk =
+        "<?xml version='1.0'?>\n<VTKFile type='PolyData' version='0.1' byte_order='x'><PolyData>";
+    assert_eq!(detect(vtk.as_bytes()), FileKind::VtkSeries);
+}
+
+#[test]
+fn other_files_are_unknown() {
+    let ours = b"<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">";
+    for bytes in [&b""[..], b"\n", b"time,value\n", b"/* /YD/", ours, &[0; 256], &[0xff; 256]] {
         assert_eq!(detect(bytes), FileKind::Unknown);
     }
     assert!(detect_file(Path::new("no such file")).is_err());
