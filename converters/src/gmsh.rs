@@ -19,7 +19,7 @@ use std::fs;
 use std::io::Write;
 use std::path::Path;
 
-use crate::error::{ConvertError, at};
+use crate::error::{ConvertError, at, no_deck_there};
 use crate::replace_file::replace_file;
 
 pub use deck::{Skeleton, skeleton};
@@ -31,13 +31,14 @@ pub use read::parse_msh;
 /// not say as the mesh did.
 ///
 /// # Errors
-/// If the mesh cannot be read or makes no deck, or the deck cannot be written.
+/// If the mesh cannot be read or makes no deck, or the deck exists or cannot be written.
 pub fn gmsh_to_deck(input: &Path, output: &Path) -> Result<Vec<String>, ConvertError> {
     let bytes = fs::read(input).map_err(at(input))?;
     let refused = |source| ConvertError::Gmsh { path: input.to_path_buf(), source };
     let mesh = parse_msh(&bytes).map_err(refused)?;
     let name = input.file_name().unwrap_or(input.as_os_str()).to_string_lossy();
     let Skeleton { deck, warnings } = skeleton(&mesh, &name).map_err(refused)?;
+    no_deck_there(output)?;
     replace_file(output, |file| file.write_all(deck.to_text().as_bytes())).map_err(at(output))?;
     Ok(warnings)
 }

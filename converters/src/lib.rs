@@ -6,11 +6,13 @@
 //! * [`history`]: `.yh` histories to CSV
 //! * [`gmsh`]: Gmsh meshes to decks
 //! * [`vtk_series`]: Y-Geo's VTK files to time series
+//! * [`dialects`]: decks of one dialect to another
 //! * [`detect`]: what kind of file something is, by its content
 //! * [`stress_measures`]: von Mises, principal and Tresca stresses
 
 pub mod d3plot;
 pub mod detect;
+pub mod dialects;
 mod error;
 pub mod gmsh;
 pub mod history;
