@@ -198,6 +198,19 @@ fn used_joint_sets(model: &Model, lost: &mut Vec<String>) -> Vec<(usize, JointSe
 
 fn meshing(model: &Model, table: &mut Table<'_>, lost: &mut Vec<String>) {
     let mut codes = vec![0; table.elements];
+    let order: Vec<usize> = model
+        .meshing
+        .iter()
+        .filter(|(code, _)| *code > 0)
+        .flat_map(|(_, sets)| sets)
+        .copied()
+        .collect();
+    if model.meshing.iter().any(|(code, sets)| *code > 0 && sets.len() > 1) || !order.is_sorted() {
+        lost.push("nodes and elements that meshing makes have other numbers (I2PMSET)".to_owned());
+    }
+    if order.len() > order.iter().collect::<std::collections::BTreeSet<_>>().len() {
+        lost.push("element sets are meshed by their last record only (I2PMSET)".to_owned());
+    }
     for (code, sets) in &model.meshing {
         if inserts_joints(*code) && sets.len() > 1 {
             lost.push(format!(
