@@ -1,6 +1,6 @@
 //! Decks of one dialect to another (spec `deck.md` 3 and 8.2, `mechanics.md` 2.2, 4, 11).
 //!
-//! The deck is executed up to its first `$YDOIT`, what it then means is a [`Model`](model::Model)
+//! The deck is executed up to its first `$YDOIT`, what it then means is a model
 //! with the same meaning in all dialects, and the model is written in the other dialect. What the
 //! other dialect cannot say is listed, never dropped in silence.
 //!

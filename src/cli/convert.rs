@@ -83,7 +83,7 @@ pub(super) fn main(arguments: &ConvertArguments) -> Exit {
     }
     let mut exit = Exit::Done;
     let fail = |exit: &mut Exit, error: &ConvertError, input: &Path| {
-        warn(&format!("error: {error}"));
+        warn(&format!("error: {}", told(error, input)));
         *exit = match exit {
             Exit::Output => Exit::Output,
             _ => exit_of(error, input, &arguments.folder),
@@ -113,6 +113,12 @@ pub(super) fn main(arguments: &ConvertArguments) -> Exit {
     }
     bar.finish();
     exit
+}
+
+/// The message of an error, with the input where it does not name it.
+fn told(error: &ConvertError, input: &Path) -> String {
+    let (message, input) = (error.to_string(), input.display().to_string());
+    if message.contains(&input) { message } else { format!("{input}: {message}") }
 }
 
 /// A file that the system refuses is an output if it lies in the folder of the outputs and is not

@@ -157,13 +157,14 @@ fn read_node_sets(
         })
         .collect();
     let points = usize::try_from(database.integer("YDPN/NPNFACT")).unwrap_or(0);
-    if let Some(table) = database.reals("YDPN/D3PNFAC") {
-        if !(is_ygeo && table.get3(0, 0, 0) == -1.0) {
-            for (index, set) in sets.iter_mut().enumerate() {
-                let point = |i| (table.get3(0, index, i), table.get3(1, index, i));
-                let stands = |&i: &usize| table.ordinal([1, index, i]).is_some();
-                set.factors = (0..points).take_while(stands).map(point).collect();
-            }
+    // Y-Geo ignores a table whose first time is its fill value.
+    let table = database.reals("YDPN/D3PNFAC");
+    let table = table.filter(|table| !(is_ygeo && table.get3(0, 0, 0) == -1.0));
+    if let Some(table) = table {
+        for (index, set) in sets.iter_mut().enumerate() {
+            let point = |i| (table.get3(0, index, i), table.get3(1, index, i));
+            let stands = |&i: &usize| table.ordinal([1, index, i]).is_some();
+            set.factors = (0..points).take_while(stands).map(point).collect();
         }
     }
     if is_ygeo {
@@ -259,11 +260,10 @@ fn modules(database: &Database, is_ygeo: bool, lost: &mut Vec<String>) {
                 "the output interval does not change with broken joints (ICOUTRF)".to_owned(),
             );
         }
-    } else if let Some(tags) = database.integers("YDE/I1ELBE") {
-        if database.integer("YDC/IWFAST") > 0
-            && (0..entries(tags)).any(|index| tags.get1(index) > 0)
-        {
-            lost.push("contact tags are left out: flags of nodes decide (I1ELBE)".to_owned());
-        }
+    } else if database.integer("YDC/IWFAST") > 0
+        && let Some(tags) = database.integers("YDE/I1ELBE")
+        && (0..entries(tags)).any(|index| tags.get1(index) > 0)
+    {
+        lost.push("contact tags are left out: flags of nodes decide (I1ELBE)".to_owned());
     }
 }

@@ -43,10 +43,10 @@ fn ramp_of(start: f64, factors: &[(f64, f64)]) -> Result<Option<(f64, f64)>, ()>
     if factors.iter().all(|&(_, factor)| factor == 1.0) {
         return Ok(None);
     }
-    let ramp = match factors {
-        &[(begin, 0.0), (end, 1.0)] if begin <= start => (begin, end - begin),
-        &[(first, 0.0), (begin, 0.0), (end, 1.0)] if first <= start => (begin, end - begin),
-        &[(first, 0.0), (begin, 0.0)] if first <= start => (begin.next_up(), 0.0),
+    let ramp = match *factors {
+        [(begin, 0.0), (end, 1.0)] if begin <= start => (begin, end - begin),
+        [(first, 0.0), (begin, 0.0), (end, 1.0)] if first <= start => (begin, end - begin),
+        [(first, 0.0), (begin, 0.0)] if first <= start => (begin.next_up(), 0.0),
         _ => return Err(()),
     };
     Ok(Some(ramp))

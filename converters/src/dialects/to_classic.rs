@@ -178,8 +178,8 @@ fn used_joint_sets(model: &Model, lost: &mut Vec<String>) -> Vec<(usize, JointSe
     for (_, sets) in model.meshing.iter().filter(|(code, _)| inserts_joints(*code)) {
         for &set in sets {
             let set = set as i64;
-            let rows = model.joint_of_pair.iter().filter(|row| row[0] == set && row[1] == set);
-            used.extend(rows.last().and_then(|row| usize::try_from(row[2]).ok()));
+            let mut rows = model.joint_of_pair.iter().filter(|row| row[0] == set && row[1] == set);
+            used.extend(rows.next_back().and_then(|row| usize::try_from(row[2]).ok()));
         }
     }
     used.sort_unstable();

@@ -23,7 +23,7 @@ pub(super) fn write(
         }
     }
     element_sets(model, writer, lost);
-    node_sets(&model.node_sets, writer);
+    node_sets(&model.node_sets, writer, lost);
     joint_sets(&model.joint_sets, writer, lost);
     meshing(model, writer);
     Ok(())
@@ -109,7 +109,7 @@ fn ygeo_elements(model: &Model, writer: &mut Writer) {
     writer.reals2("YDPE/D2PEINT", 5, records);
 }
 
-fn node_sets(sets: &[NodeSet], writer: &mut Writer) {
+fn node_sets(sets: &[NodeSet], writer: &mut Writer, lost: &mut Vec<String>) {
     let column = |value: &dyn Fn(&NodeSet) -> f64| sets.iter().map(value).collect::<Vec<f64>>();
     writer.count("YDPN/MPNSET", sets.len());
     writer.count("YDPN/NPNSET", sets.len());
@@ -128,6 +128,10 @@ fn node_sets(sets: &[NodeSet], writer: &mut Writer) {
     }
     let points = sets.iter().map(|set| set.factors.len()).min().unwrap_or(0);
     if points > 0 {
+        let begins = sets.first().and_then(|set| set.factors.first()).map(|&(time, _)| time);
+        if writer.dialect() == Dialect::YGeo && begins == Some(-1.0) {
+            lost.push("load tables that begin at the time -1 are ignored (D3PNFAC)".to_owned());
+        }
         writer.count("YDPN/MPNFACT", points);
         writer.count("YDPN/NPNFACT", points);
         let table = sets.iter().flat_map(|set| {
