@@ -166,10 +166,19 @@ fn losses_of_ygeo_decks_are_told() {
         ("YDPE/I1PTYP 1\n1", "YDPE/I1PTYP 1\n6", "small strains only"),
         ("$YDOIT", "/YD/YDIS/IUSEIS 1 $YDOIT", "in-situ"),
         ("$YDOIT", "/YD/YDB/NBORH 1 $YDOIT", "boreholes"),
+        ("$YDOIT", "/YD/YDI/D2SLDIS 21 1 1 0.5 $YDOIT", "sliding of an earlier run"),
         ("$YDOIT", "$YDOIT /YD/YDC/MCSTEP 4000 /YD/YDN/D1NMCT 0 $YDOIT", "D1NMCT of a later stage"),
     ] {
         assert_told(&told(&[(old, new)]), words);
     }
+}
+
+#[test]
+fn frozen_nodes_do_not_absorb_waves_in_ygeo() {
+    let frozen = edited(&text(SPLIT), &[("I1PNFX 4\n1", "I1PNFX 4\n4")]);
+    assert_eq!(integers(&converted(&frozen, Dialect::YGeo).1, "YDPN/I1PNFX", 4), [0, 3, 3, 1]);
+    let classic = converted(&frozen, Dialect::Classic).1;
+    assert_eq!(integers(&classic, "YDP/I1PNFX", 6), [0, 0, 4, 3, 3, 1]);
 }
 
 #[test]

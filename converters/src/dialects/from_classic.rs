@@ -82,6 +82,9 @@ pub(super) fn model(database: &Database, lost: &mut Vec<String>) -> Result<Model
         meshing,
         joint_of_pair,
     };
+    if model.element_sets.iter().any(|set| set.kind == 2) {
+        lost.push("contact acts on rigid triangles, too (type 2)".to_owned());
+    }
     differences(database, &joints, count, lost);
     Ok(model)
 }

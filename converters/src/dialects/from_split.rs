@@ -240,19 +240,22 @@ fn joint_rows(database: &Database) -> Vec<[i64; 3]> {
 
 /// Modules that have no counterpart.
 fn modules(database: &Database, is_ygeo: bool, lost: &mut Vec<String>) {
-    let mut off = |name: &str, what: &str| {
+    let off = |lost: &mut Vec<String>, name: &str, what: &str| {
         if database.integer(name) > 0 {
             lost.push(format!("{what} are left out ({name})"));
         }
     };
-    off("YDB/NBORH", "boreholes");
-    off("YDS/NSOUR", "pressure sources");
+    off(lost, "YDB/NBORH", "boreholes");
+    off(lost, "YDS/NSOUR", "pressure sources");
+    if database.reals("YDI/D2SLDIS").is_some_and(|field| records(field) > 0) {
+        lost.push("sliding of an earlier run is forgotten (D2SLDIS)".to_owned());
+    }
     if is_ygeo {
-        off("YDFN/IUSEFN", "fractures of the fracture network");
-        off("YDIS/IUSEIS", "in-situ stresses");
-        off("YDHF/IUSEHF", "fluids in fractures");
-        off("YDSB/NSBAR", "reinforcement bars");
-        off("YDC/ICRESF", "restart fragments");
+        off(lost, "YDFN/IUSEFN", "fractures of the fracture network");
+        off(lost, "YDIS/IUSEIS", "in-situ stresses");
+        off(lost, "YDHF/IUSEHF", "fluids in fractures");
+        off(lost, "YDSB/NSBAR", "reinforcement bars");
+        off(lost, "YDC/ICRESF", "restart fragments");
         if database.integer("YDC/ICOUTRF") > 0
             && database.integer("YDC/ICOUTRF") != database.integer("YDC/ICOUTF")
         {

@@ -114,7 +114,10 @@ fn node_sets(sets: &[NodeSet], writer: &mut Writer, lost: &mut Vec<String>) {
     writer.count("YDPN/MPNSET", sets.len());
     writer.count("YDPN/NPNSET", sets.len());
     for (axis, name) in ["I1PNFX", "I1PNFY"].into_iter().enumerate() {
-        let codes = sets.iter().map(|set| set.codes[axis]).collect();
+        // Code 4 freezes nodes everywhere but in Y-Geo, where it absorbs waves.
+        let is_ygeo = writer.dialect() == Dialect::YGeo;
+        let code = |code: i64| if is_ygeo && code == 4 { 0 } else { code };
+        let codes = sets.iter().map(|set| code(set.codes[axis])).collect();
         writer.integers(&format!("YDPN/{name}"), codes);
     }
     for (axis, name) in ["D1PNAX", "D1PNAY"].into_iter().enumerate() {

@@ -67,7 +67,7 @@ pub(super) fn plane_mesh(mesh: &Mesh) -> Result<PlaneMesh, GmshError> {
     let nodes: Vec<[f64; 2]> = used.iter().filter_map(point).collect();
     if nodes.len() < mesh.nodes.len() {
         let unused = mesh.nodes.len() - nodes.len();
-        warnings.push(format!("{unused} nodes belong to no triangle and are left out"));
+        warnings.push(format!("nodes that belong to no triangle are left out: {unused} of them"));
     }
     let (node_set, node_sets) = node_sets(mesh, &indices, &new_index, nodes.len(), &mut warnings)?;
     let (on_boundary, neighbours) = edges(&triangles, &element_set, nodes.len());
@@ -133,8 +133,8 @@ fn faces(
     }
     if repeated > 0 {
         warnings.push(format!(
-            "{repeated} elements are in several physical surfaces: the one with the greatest tag \
-             counts"
+            "elements in several physical surfaces are in that with the greatest tag: {repeated} \
+             of them"
         ));
     }
     if faces.is_empty() { Err(GmshError::NoTriangles) } else { Ok(faces) }
@@ -221,7 +221,7 @@ fn node_sets(
     }
     if shared > 0 {
         warnings.push(format!(
-            "{shared} nodes are in several physical groups: they are in the set listed last"
+            "nodes in several physical groups are in the set listed last: {shared} of them"
         ));
     }
     Ok((node_set, groups))
