@@ -17,9 +17,9 @@ use ypsilon::{
 
 fn main() -> ExitCode {
     let cases = support::dialect_cases::cases("classic");
-    let trials = cases.into_iter().map(|(name, folder)| {
-        Trial::test(name.clone(), move || check_files(&name, &folder))
-    });
+    let trials = cases
+        .into_iter()
+        .map(|(name, folder)| Trial::test(name.clone(), move || check_files(&name, &folder)));
     libtest_mimic::run(&Arguments::from_args(), trials.collect()).exit_code()
 }
 
@@ -47,7 +47,8 @@ fn check_files(name: &str, folder: &Path) -> Result<(), Failed> {
             continue;
         }
         let original = fs::read_to_string(&path)?;
-        let ours = fs::read_to_string(out.path().join(&file)).map_err(|e| format!("{file}: {e}"))?;
+        let ours =
+            fs::read_to_string(out.path().join(&file)).map_err(|e| format!("{file}: {e}"))?;
         let (original, ours) = (comparable(&file, &original), comparable(&file, &ours));
         compared += 1;
         if let Some(report) = first_difference(&original, &ours) {
