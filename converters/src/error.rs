@@ -16,8 +16,8 @@ pub enum ConvertError {
     },
     /// The content is of no kind that can be converted.
     #[error(
-        "{path} is of no kind that can be converted; known are d3plot families, `.yh` histories, \
-         Gmsh meshes, Y-Geo's VTK files and decks",
+        "{path} is of no kind that can be converted; known are d3plot families, `.ym` snapshots, \
+         `.yh` histories, Gmsh meshes, Y-Geo's VTK files and decks",
         path = path.display()
     )]
     Unrecognised {
