@@ -33,9 +33,19 @@ pub fn base() -> String {
     fs::read_to_string(path).expect("the base deck is part of the repository")
 }
 
+/// A sound deck of another dialect: `classic` or `ygeo`.
+pub fn base_of(dialect: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks");
+    fs::read_to_string(root.join(format!("base_{dialect}.y"))).expect("a committed deck")
+}
+
 /// The sound deck after some edits. Each edit must name text that the deck has exactly once.
 pub fn edited(edits: Edits<'_>) -> String {
-    let mut deck = base();
+    edit(base(), edits)
+}
+
+/// A deck after some edits. Each edit must name text that the deck has exactly once.
+pub fn edit(mut deck: String, edits: Edits<'_>) -> String {
     for (old, new) in edits {
         assert_eq!(deck.matches(old).count(), 1, "`{old}` must stand in the deck once");
         deck = deck.replacen(old, new, 1);

@@ -15,6 +15,9 @@ pub(super) fn check(reader: &mut Reader<'_>, scene: &Scene) {
     let triangles: Vec<usize> =
         (0..scene.elements.len()).filter(|&e| scene.material_of(e).is_some()).collect();
     let corners = |e: usize, x: &[Vec2]| scene.elements.corners::<3>(e).map(|n| x[n]);
+    if reader.database.dialect() != Dialect::Split {
+        warn_of_clockwise(reader, scene, &triangles);
+    }
     let fine = check_repeated_nodes(reader, scene, &triangles)
         && check_areas(reader, &triangles, "D2NCI", |e| corners(e, &scene.nodes.initial))
         && check_areas(reader, &triangles, "D2NCC", |e| corners(e, &scene.nodes.current));
@@ -62,9 +65,6 @@ fn check_areas(
     let size = |flatness: f64| if refuses { flatness } else { flatness.abs() };
     let is_flat =
         |e: usize| size(flatness(e)).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
-    if !refuses {
-        warn_of_clockwise(reader, triangles, coordinates, |e| flatness(e) < -FLAT);
-    }
     let Some(found) = Offenders::find(triangles.len(), |k| is_flat(triangles[k])) else {
         return true;
     };
@@ -98,23 +98,20 @@ fn check_areas(
 }
 
 /// Clockwise triangles run in the classic dialect and Y-Geo, as in their programs.
-fn warn_of_clockwise(
-    reader: &mut Reader<'_>,
-    triangles: &[usize],
-    coordinates: &str,
-    is_clockwise: impl Fn(usize) -> bool,
-) {
-    let Some(found) = Offenders::find(triangles.len(), |k| is_clockwise(triangles[k])) else {
-        return;
+fn warn_of_clockwise(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) {
+    let nodes = &scene.nodes;
+    let is_clockwise = |k: usize| {
+        let corners = scene.elements.corners::<3>(triangles[k]);
+        [&nodes.initial, &nodes.current]
+            .into_iter()
+            .any(|x| double_area(&corners.map(|n| x[n])) < 0.0)
     };
+    let Some(found) = Offenders::find(triangles.len(), is_clockwise) else { return };
     let element = triangles[found.first];
     reader.report(
         Diagnostic::warning(
             "scene::clockwise-triangle",
-            format!(
-                "triangle {element} runs clockwise with the coordinates of {coordinates}{}",
-                found.more()
-            ),
+            format!("triangle {element} runs clockwise{}", found.more()),
         )
         .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
         .expected("three nodes counter-clockwise")

@@ -125,6 +125,17 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
         }
         if material.kind == ElementKind::SofteningTriangle {
             check_softening(reader, scene, set);
+            if material.fractures && scene.conventions.dialect == Dialect::YGeo {
+                reader.report(
+                    Diagnostic::error(
+                        "scene::not-simulated",
+                        format!("softening material {set} is to fracture, which Y-Geo does with strengths that it never sets"),
+                    )
+                    .at(reader.entry("YDPE/I1PEFR", set))
+                    .expected("0: no fracture")
+                    .help("use joints for fracture"),
+                );
+            }
         }
     }
 }

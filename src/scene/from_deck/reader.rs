@@ -1,4 +1,4 @@
-use super::names::in_dialect;
+use super::names::{in_dialect, translated};
 use std::borrow::Cow;
 use yformat::{
     database::{Database, Field},
@@ -67,8 +67,21 @@ impl<'a> Reader<'a> {
         self.findings.into_iter().map(|finding| finding.located(sources)).collect()
     }
 
-    pub fn report(&mut self, finding: Diagnostic) {
+    /// Keeps a finding, with the keywords in it as the deck's dialect calls them.
+    pub fn report(&mut self, mut finding: Diagnostic) {
+        let dialect = self.database.dialect();
+        let notes = &mut finding.notes;
+        let texts = [&mut notes.label, &mut notes.expected, &mut notes.help];
+        for text in texts.into_iter().flatten().chain([&mut finding.message]) {
+            *text = translated(dialect, text);
+        }
         self.findings.push(finding);
+    }
+
+    /// Whether that was said about that place already: in the classic dialect one
+    /// number counts several kinds of sets.
+    fn has_said(&self, code: &str, place: Option<Span>) -> bool {
+        place.is_some() && self.findings.iter().any(|f| f.code == code && f.span == place)
     }
 
     pub fn has_errors(&self) -> bool {
@@ -150,6 +163,9 @@ impl<'a> Reader<'a> {
             return 0;
         }
         if n > room {
+            if self.has_said("scene::capacity", place) {
+                return 0;
+            }
             self.report(
                 Diagnostic::error(
                     "scene::capacity",

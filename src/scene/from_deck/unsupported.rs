@@ -22,7 +22,7 @@ pub(super) fn check(reader: &mut Reader<'_>) {
             reader.report(
                 Diagnostic::error(
                     "scene::not-simulated",
-                    format!("{count} asks for {what}, which are not simulated"),
+                    format!("{count} asks for what is not simulated: {what}"),
                 )
                 .at(reader.place(count))
                 .help(format!("set /YD/{count} to 0 to run the deck without {what}")),

@@ -141,6 +141,7 @@ fn check_pairs(reader: &mut Reader<'_>, rows: &[PairRow]) {
             .expected("two property sets that exist, the lower number first"),
         );
     }
+    let all_apply = Offenders::find(rows.len(), wrong).is_none();
     let unsound = |r: usize| {
         let p = rows[r].properties;
         p.friction > 0.0 && p.tangential_penalty <= 0.0 || p.penalty < 0.0
@@ -163,7 +164,7 @@ fn check_pairs(reader: &mut Reader<'_>, rows: &[PairRow]) {
     let missing = (0..sets.min(1000))
         .flat_map(|a| (a..sets.min(1000)).map(move |b| (a, b)))
         .find(|&(a, b)| !pairs(a, b));
-    if let Some((a, b)) = missing {
+    if let Some((a, b)) = missing.filter(|_| all_apply) {
         reader.report(
             Diagnostic::warning(
                 "scene::pair-table",
