@@ -272,7 +272,11 @@ pub fn joint_views(simulation: &Simulation) -> impl Iterator<Item = JointView> +
         let strength = simulation.strength[element];
         let state = match scene.conventions.cohesive {
             CohesiveModel::Split => joint2::state::<SplitRules>(cohesive, &corners, strength),
-            _ => joint2::state::<YGeoRules>(cohesive, &corners, strength),
+            CohesiveModel::YGeo => joint2::state::<YGeoRules>(cohesive, &corners, strength),
+            CohesiveModel::Classic => {
+                let strengths = simulation.classic.strengths(element);
+                joint2::classic::state(cohesive, &corners, strengths)
+            }
         };
         let condition =
             if state.damage > 0.0 { JointCondition::Softening } else { JointCondition::Intact };
