@@ -3,6 +3,7 @@
 //! and mobilised roughness under shear, hydraulic aperture.
 
 use super::Vec2;
+use serde::{Deserialize, Serialize};
 use crate::{TOLERANCE, scene::InitialAperture, scene::RockJoint};
 use nalgebra::Matrix2;
 
@@ -10,7 +11,7 @@ use nalgebra::Matrix2;
 const STIFF: f64 = 1e15;
 
 /// State of a rock fracture.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Aperture {
     /// Initial normal stiffness, Pa/m.
     pub initial_stiffness: f64,

@@ -16,6 +16,8 @@ mod joint_records;
 mod motion;
 mod plan;
 mod probe_values;
+mod state;
+mod state_check;
 mod view;
 
 use crate::{
@@ -32,6 +34,7 @@ use plan::{ForcePhase, Plan};
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
+pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
 /// Choices that change how fast a simulation runs, never its results.
