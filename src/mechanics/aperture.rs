@@ -3,9 +3,9 @@
 //! and mobilised roughness under shear, hydraulic aperture.
 
 use super::Vec2;
-use serde::{Deserialize, Serialize};
 use crate::{TOLERANCE, scene::InitialAperture, scene::RockJoint};
 use nalgebra::Matrix2;
+use serde::{Deserialize, Serialize};
 
 /// Stiffness of a joint before it is set up, Pa/m.
 const STIFF: f64 = 1e15;

@@ -189,6 +189,15 @@ impl Simulation {
         self.scene = scene;
     }
 
+    /// Takes over the settings of a later stage on the way to a state that is restored next:
+    /// what [`Self::continue_with`] and [`Self::prepare`] do without the mesh.
+    pub fn replay_stage(&mut self, mut scene: Scene) {
+        if let Some(insertion) = &mut scene.insertion {
+            insertion::skip(insertion, &mut scene.materials);
+        }
+        self.continue_with(scene, None);
+    }
+
     /// First half of a step: internal forces, joints, contact detection and
     /// contact forces.
     pub fn evaluate_forces(&mut self) {

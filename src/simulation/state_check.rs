@@ -96,8 +96,7 @@ fn check_elements(state: &SimulationState, scene: &Scene) -> Result<(), StateFau
 
 fn check_joints(state: &SimulationState, scene: &Scene) -> Result<(), StateFault> {
     let len = state.elements.len();
-    let is_failure =
-        |element: usize, law: usize| element < len && law < scene.cohesive_laws.len();
+    let is_failure = |element: usize, law: usize| element < len && law < scene.cohesive_laws.len();
     require(
         state.failures.iter().all(|f| is_failure(f.element, f.law)),
         "a joint has failed that is not there",
