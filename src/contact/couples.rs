@@ -180,6 +180,7 @@ impl CoupleList {
             debug_assert_ne!(before, NONE, "couple is not in its contactor's chain");
             self.slots[before as usize].next = next;
         }
+        self.slots[slot as usize].rest = 0.0;
         self.free.push(slot);
     }
 }
