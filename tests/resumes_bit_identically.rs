@@ -11,6 +11,7 @@ use std::{
     path::{Path, PathBuf},
 };
 use support::{
+    grid_deck::jointed_wall,
     scenes::step,
     spoilt_deck::{base, edited, write},
 };
@@ -302,14 +303,14 @@ fn files_of_the_y_geo_dialect() {
 
 #[test]
 fn families_of_d3plot_files_go_on() {
-    // a family of several files: many states of a mesh with few of them in each
-    let deck = folder("split2d/n_soil_footing/n_soil_footing.y");
-    let deck = shortened(&deck, "330", "1");
+    // a mesh of so many triangles and joints that a file holds few states
+    let deck = jointed_wall(12, 12, 260).to_text();
+    let deck = deck.replace("ICOUTF 1000000", "ICOUTF 1");
     let straight = Runner { formats: vec![Format::D3plot], ..Runner::new(&deck) };
     straight.run(None, at_end()).expect("a run");
     let members = straight.files().keys().filter(|name| name.starts_with("deck0")).count();
-    assert!(members >= 1, "{:?}", straight.files().keys());
-    for stop in [13, 170, 329] {
+    assert!(members > 1, "{:?}", straight.files().keys());
+    for stop in [13, 111, 170, 259] {
         let resumed = Runner { formats: vec![Format::D3plot], ..Runner::new(&deck) };
         resumed.run(Some(stop), at_end()).expect("the first part");
         resumed.resume(None).expect("the rest");
@@ -317,20 +318,35 @@ fn families_of_d3plot_files_go_on() {
     }
 }
 
-/// Two more stages: other gravity and loads, another history, and a mesh refined halfway.
+/// Two more stages: other gravity and loads, another scale of the history, and triangles
+/// separated halfway.
 fn staged() -> String {
-    let first = edited(&[("MCSTEP 20", "MCSTEP 107"), ("D1PNAX 2 0 5e3", "D1PNAX 2 0 5e6")]);
+    let first = edited(&[
+        ("MCSTEP 20", "MCSTEP 107"),
+        ("D1PNAX 2 0 5e3", "D1PNAX 2 0 5e6"),
+        ("MNOPO 10", "MNOPO 40"),
+        ("MELEM 7", "MELEM 40"),
+    ]);
     first.replace(
         "$YDOIT\n",
         "$YDOIT\n/YD/YDC/MCSTEP 180 /YD/YDC/DCGRAY -30 /YD/YDPN/D1PNAX 2 0 2e6\n$YDOIT\n\
          /YD/YDC/MCSTEP 260 /YD/YDPE/D1PEKS 1 2e3 /YD/YDO/D1OHYF 1 2\n\
-         /YD/YDN/I1NOBF 2 1 1\n$YDOIT\n",
+         /YD/YDPM/I2PMSET 21 3 1 1 4 0\n$YDOIT\n",
     )
 }
 
 #[test]
 fn stages() {
     compare_files(&staged(), &[50, 107, 108, 179, 180, 181, 250]);
+}
+
+#[test]
+fn stages_of_the_other_dialects() {
+    for deck in ["classic/g_joint_mixed/g_joint_mixed.y", "resume/g_joint_mixed.y"] {
+        let deck = shortened(&folder(deck), "130", "17");
+        let more = "$YDOIT\n/YD/YDC/MCSTEP 260\n/YD/YDC/DCGRAY -50\n$YDOIT";
+        compare_files(&deck.replace("$YDOIT", more), &[20, 130, 131, 222]);
+    }
 }
 
 #[test]
