@@ -9,61 +9,15 @@
 
 mod support;
 
-use libtest_mimic::{Arguments, Failed, Trial};
 use std::{fs, path::Path, process::ExitCode};
-use ypsilon::{
-    scene::Profile,
-    session::{Format, RunOptions, Silent, load, run},
-    simulation::SolverOptions,
-};
+use support::result_files::{self, Comparison};
 
 fn main() -> ExitCode {
-    let cases = support::dialect_cases::cases("classic");
-    let trials = cases
-        .into_iter()
-        .map(|(name, folder)| Trial::test(name.clone(), move || check_files(&name, &folder)));
-    libtest_mimic::run(&Arguments::from_args(), trials.collect()).exit_code()
+    result_files::main("classic", Comparison { comparable, agree })
 }
 
-fn check_files(name: &str, folder: &Path) -> Result<(), Failed> {
-    let out = tempfile::tempdir()?;
-    let deck = folder.join(format!("{name}.y"));
-    let loaded = load(&deck, None, Profile::Windows, SolverOptions::default())
-        .map_err(|fault| format!("{fault:?}"))?;
-    let options = RunOptions {
-        deck,
-        folder: out.path().to_path_buf(),
-        formats: vec![Format::Native],
-        states: Vec::new(),
-        steps: None,
-        legacy_d3plot: false,
-        profile: Profile::Windows,
-    };
-    run(loaded, &options, &mut Silent)?;
-    let mut reports = Vec::new();
-    let mut compared = 0;
-    for entry in fs::read_dir(folder)? {
-        let path = entry?.path();
-        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        if file.starts_with("state_") || file == "meta.txt" || file == format!("{name}.y") {
-            continue;
-        }
-        let original = fs::read_to_string(&path)?;
-        let ours =
-            fs::read_to_string(out.path().join(&file)).map_err(|e| format!("{file}: {e}"))?;
-        let (original, ours) = (comparable(&file, &original), comparable(&file, &ours));
-        compared += 1;
-        if let Some(report) = first_difference(&original, &ours) {
-            reports.push(format!("{file}: {report}"));
-        }
-    }
-    if name_of_restart(folder).is_some_and(|file| !dilations_agree(folder, out.path(), &file)) {
-        reports.push("the dilations differ".to_owned());
-    }
-    if compared == 0 {
-        return Err("the case has no files".into());
-    }
-    if reports.is_empty() { Ok(()) } else { Err(reports.join("\n").into()) }
+fn agree(original: &Path, ours: &Path) -> bool {
+    name_of_restart(original).is_none_or(|file| dilations_agree(original, ours, &file))
 }
 
 /// The text without what the original leaves to chance.
@@ -116,20 +70,4 @@ fn dilations_agree(original: &Path, ours: &Path, file: &str) -> bool {
     let (Ok(a), Ok(b)) = (a, b) else { return false };
     let largest = a.iter().fold(0.0, |l: f64, x| l.max(x.abs()));
     a.len() == b.len() && a.iter().zip(&b).all(|(x, y)| (x - y).abs() <= 1e-14 * largest)
-}
-
-fn first_difference(original: &str, ours: &str) -> Option<String> {
-    if original == ours {
-        return None;
-    }
-    let differs = |(a, b): &(&str, &str)| a != b;
-    let lines = original.lines().zip(ours.lines());
-    let count = lines.clone().filter(differs).count();
-    Some(match lines.enumerate().find(|(_, pair)| differs(pair)) {
-        Some((line, (a, b))) => {
-            let cut = |s: &str| s.chars().take(160).collect::<String>();
-            format!("{count} lines, the first is {}:\n  {}\n  {}", line + 1, cut(a), cut(b))
-        }
-        None => format!("{} lines against {}", original.lines().count(), ours.lines().count()),
-    })
 }

@@ -51,8 +51,7 @@ impl LinearElasticity {
     /// Cauchy stress, Pa.
     #[must_use]
     fn stress(&self, kinematics: &Kinematics) -> Matrix2<f64> {
-        let b = &kinematics.left_cauchy_green;
-        let strain = Matrix2::from_fn(|i, j| 0.5 * b[(i, j)] - if i == j { 0.5 } else { 0.0 });
+        let strain = kinematics.strain();
         let rate = &kinematics.rate_of_deformation;
         Matrix2::from_fn(|i, j| {
             let elastic = if i == j {
@@ -118,6 +117,13 @@ impl Kinematics {
             }),
             double_area,
         }
+    }
+
+    /// Strain ½(B − I), as Y takes it.
+    #[must_use]
+    pub fn strain(&self) -> Matrix2<f64> {
+        let b = &self.left_cauchy_green;
+        Matrix2::from_fn(|i, j| 0.5 * b[(i, j)] - if i == j { 0.5 } else { 0.0 })
     }
 
     /// Shear and viscous part of the Cauchy stress, (μ/J)(B − I) + η D.

@@ -16,6 +16,7 @@ mod run_table;
 mod snapshots;
 mod state_file;
 mod vtu;
+mod ygeo;
 
 pub use bodies::body_of_elements;
 pub use d3plot::D3plotOutput;
@@ -28,6 +29,7 @@ pub use run_table::{RunTable, TABLE_HEADER, table_row};
 pub use snapshots::SnapshotOutput;
 pub use state_file::{StateFileOutput, write_state};
 pub use vtu::VtuOutput;
+pub use ygeo::YGeoOutput;
 
 use crate::simulation::Simulation;
 use std::path::PathBuf;

@@ -52,6 +52,12 @@ impl OutputNames {
         self.folder.join(format!("{}h{index}", self.deck))
     }
 
+    /// What the files of Y-Geo begin with: the whole name of the deck.
+    #[must_use]
+    pub fn prefix(&self) -> PathBuf {
+        self.folder.join(&self.deck)
+    }
+
     /// Snapshot of the classic dialect.
     #[must_use]
     pub fn snapshot(&self, number: u64) -> PathBuf {

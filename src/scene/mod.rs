@@ -19,7 +19,7 @@ mod snapshots;
 
 pub use boundary::{Condition, InSituStress, LoadHistory, LoadRamp, NodeSet};
 pub use contact::{ContactSettings, FrictionModel, PairProperties, PairRow, PairRule};
-pub use control::Control;
+pub use control::{Control, RefinedOutput};
 pub use conventions::{
     BROKEN_OFFSET, BondedPairs, ChainAfterDrop, CohesiveModel, ContactSelection, ContactSum,
     Conventions, ForceOrder, HistoryLines, Interfaces, OutputTime, Refresh, SPLIT_BROKEN,

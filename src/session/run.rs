@@ -10,7 +10,7 @@ use super::{
 use crate::{
     output::{
         D3plotOutput, HistoryOutput, OutputError, OutputNames, RestartDeckOutput, ResultWriter,
-        RunTable, SnapshotOutput, StateFileOutput, TABLE_HEADER, VtuOutput, table_row,
+        RunTable, SnapshotOutput, StateFileOutput, TABLE_HEADER, VtuOutput, YGeoOutput, table_row,
     },
     scene::Profile,
     simulation::Simulation,
@@ -23,7 +23,8 @@ use std::{
 };
 use thiserror::Error;
 use yformat::{
-    d3plot::StartDate, deck::Deck, diagnostic::Diagnostic, part_file::PartFile, source::SourceMap,
+    d3plot::StartDate, deck::Deck, diagnostic::Diagnostic, dialect::Dialect, part_file::PartFile,
+    source::SourceMap,
 };
 
 /// Time between two looks at the progress.
@@ -190,6 +191,9 @@ pub(super) fn open_writers(
     }
     if is_classic && formats.contains(&Format::Restart) {
         writers.push(Box::new(RestartDeckOutput::new(names)));
+    }
+    if simulation.scene().conventions.dialect == Dialect::YGeo && formats.contains(&Format::Vtp) {
+        writers.push(Box::new(YGeoOutput::new(names)));
     }
     if formats.contains(&Format::D3plot) {
         let today = jiff::Zoned::now().date();

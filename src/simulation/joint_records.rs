@@ -129,7 +129,8 @@ impl Simulation {
                     let record = &mut self.joint_records[element];
                     record.yielding = Yielding { mode, step, time, place: place.into() };
                     record.release.reference = energy;
-                    record.release.since = time;
+                    (record.release.since, record.release.time) = (time, time);
+                    self.yielded_now.push(element);
                     return;
                 }
                 if point.opening > limits.peak_opening {

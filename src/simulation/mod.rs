@@ -73,6 +73,8 @@ pub struct Simulation {
     edge_factors: Vec<f64>,
     /// What Y-Geo keeps of each joint.
     joint_records: Vec<JointRecord>,
+    /// Joints that began to yield in this step.
+    yielded_now: Vec<usize>,
     /// What the classic dialect keeps of its joints.
     classic: ClassicJoints,
     /// Contact forces of each element in the last output step (classic).
@@ -116,6 +118,7 @@ impl Simulation {
             strength: Vec::new(),
             contact_force: Vec::new(),
             joint_records: Vec::new(),
+            yielded_now: Vec::new(),
             classic: ClassicJoints::default(),
             tally: Tally::default(),
             kinetic_energy: 0.0,
@@ -259,6 +262,7 @@ impl Simulation {
 
     fn clear_forces(&mut self) {
         self.force.fill(Vec2::zeros());
+        self.yielded_now.clear();
         self.contact_force.fill(Vec2::zeros());
         if self.plan.masses_change {
             self.mass.copy_from_slice(&self.plan.nodal_mass);

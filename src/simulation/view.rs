@@ -7,7 +7,7 @@ use crate::{
     mechanics::{
         Vec2,
         joint2::{self, JointState, SplitRules, YGeoRules},
-        triangle::{ReferenceShape, cauchy_stress},
+        triangle::{Kinematics, ReferenceShape, cauchy_stress},
     },
     scene::{CohesiveModel, ElementKind, JointKind, Scene},
 };
@@ -90,9 +90,22 @@ impl Simulation {
         &self.tally
     }
 
+    /// Joints that began to yield in this step, in the order of their evaluation.
+    #[must_use]
+    pub fn yielded_now(&self) -> &[usize] {
+        &self.yielded_now
+    }
+
     /// Cauchy stress of an elastic triangle where its nodes are now, Pa.
     #[must_use]
     pub fn present_stress(&self, element: usize) -> Option<Matrix2<f64>> {
+        Some(self.present_state(element)?.0)
+    }
+
+    /// Cauchy stress, Pa, and strain ½(B − I) of an elastic triangle where its
+    /// nodes are now.
+    #[must_use]
+    pub fn present_state(&self, element: usize) -> Option<(Matrix2<f64>, Matrix2<f64>)> {
         let scene = &self.scene;
         let material = scene.material_of(element)?;
         if material.kind != ElementKind::ElasticTriangle {
@@ -103,7 +116,8 @@ impl Simulation {
         let law = stress_law(material, scene.conventions.volumetric);
         let corners = nodes.map(|n| scene.nodes.current[n]);
         let velocities = nodes.map(|n| scene.nodes.velocity[n]);
-        Some(cauchy_stress(&law, &reference, &corners, &velocities))
+        let kinematics = Kinematics::new(&reference, &corners, &velocities);
+        Some((cauchy_stress(&law, &reference, &corners, &velocities), kinematics.strain()))
     }
 
     /// Times at which they were refreshed last, s.
@@ -141,7 +155,12 @@ impl Simulation {
     /// Whether a result state is due at this step.
     #[must_use]
     pub fn is_output_step(&self) -> bool {
-        self.step.is_multiple_of(self.scene.control.output_interval)
+        let control = &self.scene.control;
+        let interval = match control.refined_output {
+            Some(refined) if self.failures.len() as u64 > refined.broken_joints => refined.interval,
+            _ => control.output_interval,
+        };
+        self.step.is_multiple_of(interval)
     }
 
     /// Elements that are triangles, ascending.

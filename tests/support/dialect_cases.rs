@@ -50,7 +50,9 @@ pub fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
         println!("skipping further cases: {} is absent", folder.display());
     }
     let mut cases = BTreeMap::new();
-    for folder in [root.join("tests/data").join(dialect)].into_iter().chain(beside) {
+    // the folders beside the repository hold more states of the same cases
+    let own = root.join("tests/data").join(dialect);
+    for folder in beside.into_iter().chain([own]) {
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
             cases.entry(name).or_insert_with(|| entry.path());

@@ -53,6 +53,10 @@ impl Inputs {
             Ok(kind) => kind,
             Err(error) => return self.unusable.push((input.to_path_buf(), error)),
         };
+        // decks lie beside results; only those of earlier runs are results themselves
+        if of_folder && kind == FileKind::Deck && arguments.to != Some(Target::Deck) {
+            return;
+        }
         let output = match kinds::output(input, kind, arguments) {
             Ok(output) => output,
             Err(_) if of_folder => return,

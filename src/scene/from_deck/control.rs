@@ -1,5 +1,5 @@
 use super::Reader;
-use crate::scene::Control;
+use crate::scene::{Control, RefinedOutput};
 use yformat::diagnostic::Diagnostic;
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Control {
@@ -50,6 +50,10 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         start_time: reader.real("YDC/DCTIME"),
         gravity: reader.real("YDC/DCGRAY"),
         output_interval: steps(reader.integer("YDC/ICOUTF")).max(1),
+        refined_output: (reader.integer("YDC/ICOUTRF") > 0).then(|| RefinedOutput {
+            interval: steps(reader.integer("YDC/ICOUTRF")),
+            broken_joints: steps(reader.integer("YDC/ICOUTNF")),
+        }),
         table_interval: steps(reader.integer(table)).max(1),
     }
 }

@@ -15,6 +15,9 @@ const PAIR_COLUMNS: usize = 5;
 
 /// The elastic law of a property set of type `code`.
 pub(super) fn elastic_law(reader: &mut Reader<'_>, set: usize, code: i64) -> ElasticLaw {
+    if !reader.knows("YDPE/I1USAN") {
+        return ElasticLaw::NeoHookean;
+    }
     let real = |name| reader.reals(name, 0.0)(set);
     match reader.integers("YDPE/I1USAN", -1)(set) {
         kind @ (1 | 2) => {
