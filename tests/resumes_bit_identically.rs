@@ -69,8 +69,9 @@ fn events(simulation: &Simulation) -> (usize, usize, u64, usize) {
 }
 
 /// Runs a deck, and beside it simulations restored at odd places and after joints broke, couples
-/// came and went, detections, and fractures. Returns how many places there were.
-fn compare_restored(deck: &Path) -> usize {
+/// came and went, detections, and fractures. Returns how many places there were, and the kinds
+/// of events among them.
+fn compare_restored(deck: &Path) -> (usize, BTreeSet<&'static str>) {
     let mut straight = simulation(deck);
     let first = straight.step_index();
     let end = straight.scene().control.end_step.min(first + LONGEST);
@@ -82,11 +83,11 @@ fn compare_restored(deck: &Path) -> usize {
         let after = events(&straight);
         // the first few events of each kind
         let kinds = [
-            (0, after.0 != before.0),
-            (1, after.1 > before.1),
-            (2, after.1 < before.1),
-            (3, after.2 != before.2),
-            (4, after.3 != before.3),
+            ("failure", after.0 != before.0),
+            ("new couple", after.1 > before.1),
+            ("dropped couple", after.1 < before.1),
+            ("detection", after.2 != before.2),
+            ("fracture", after.3 != before.3),
         ];
         let is_event = kinds
             .into_iter()
@@ -118,28 +119,35 @@ fn compare_restored(deck: &Path) -> usize {
             !is_over
         });
     }
-    stops
+    (stops, seen.into_iter().map(|(kind, _)| kind).collect())
+}
+
+/// Compares all decks of a folder; at least so many stops per deck, and these kinds of events.
+fn compare_all(name: &str, least: usize, kinds: &[&str]) {
+    let decks = decks(name);
+    let (mut stops, mut seen) = (0, BTreeSet::new());
+    for deck in &decks {
+        let of_deck = compare_restored(deck);
+        stops += of_deck.0;
+        seen.extend(of_deck.1);
+    }
+    assert!(stops > least * decks.len(), "{stops} stops in {} decks", decks.len());
+    assert!(kinds.iter().all(|kind| seen.contains(kind)), "{seen:?}");
 }
 
 #[test]
 fn states_of_the_split_dialect() {
-    let decks = decks("split2d");
-    let stops: usize = decks.iter().map(|deck| compare_restored(deck)).sum();
-    assert!(stops > 3 * decks.len(), "{stops} stops in {} decks", decks.len());
+    compare_all("split2d", 3, &["failure", "new couple", "dropped couple", "detection"]);
 }
 
 #[test]
 fn states_of_the_classic_dialect() {
-    let decks = decks("classic");
-    let stops: usize = decks.iter().map(|deck| compare_restored(deck)).sum();
-    assert!(stops > 4 * decks.len(), "{stops} stops in {} decks", decks.len());
+    compare_all("classic", 4, &["failure", "new couple", "dropped couple", "detection"]);
 }
 
 #[test]
 fn states_of_the_y_geo_dialect() {
-    let decks = decks("resume");
-    let stops: usize = decks.iter().map(|deck| compare_restored(deck)).sum();
-    assert!(stops > 4 * decks.len(), "{stops} stops in {} decks", decks.len());
+    compare_all("resume", 4, &["failure", "new couple", "dropped couple", "detection"]);
 }
 
 #[test]
@@ -152,7 +160,29 @@ fn excavation_goes_on_with_the_sets_that_it_began_with() {
     let sets = excavated.scene().nodes.set.clone();
     step(&mut excavated);
     assert_ne!(excavated.scene().nodes.set, sets, "excavation changes node sets");
-    assert!(compare_restored(&path) >= 4);
+    assert!(compare_restored(&path).0 >= 4);
+}
+
+/// Softening triangles that are pulled apart.
+fn softening() -> String {
+    edited(&[
+        ("MCSTEP 20", "MCSTEP 260"),
+        ("MNOPO 10", "MNOPO 40"),
+        ("D1PNAX 2 0 5e3", "D1PNAX 2 0 5e7"),
+        ("1 3 0\n", "1 0 0\n"),
+        ("D1PSEM 1 0", "D1PSEM 1 1e-5"),
+        ("D1PJFS 1 2e6", "D1PJFS 1 0.9"),
+        ("/I1PTYP 1 1\n", "/I1PTYP 1 4\n/YD/YDPE/I1PEFR 1 1\n/YD/YDPE/I1PEJP 1 0\n"),
+    ])
+}
+
+#[test]
+fn softening_triangles_go_on_softening() {
+    let folder = TempDir::new().expect("a temporary folder");
+    let path = write(folder.path(), "deck.y", softening().as_bytes());
+    let (stops, kinds) = compare_restored(&path);
+    assert!(stops > 3 && kinds.contains("fracture"), "{stops} {kinds:?}");
+    compare_files(&softening(), &[9, 42]);
 }
 
 /// A run of a deck in a folder of its own.
