@@ -147,7 +147,8 @@ fn states_of_the_classic_dialect() {
 
 #[test]
 fn states_of_the_y_geo_dialect() {
-    compare_all("resume", 4, &["failure", "new couple", "dropped couple", "detection"]);
+    compare_all("ygeo", 3, &["failure", "new couple", "detection"]);
+    compare_all("resume", 3, &["failure", "new couple", "detection"]);
 }
 
 #[test]

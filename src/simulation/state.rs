@@ -29,6 +29,7 @@ pub struct SimulationState {
     pub(super) contact_force: Vec<Vec2>,
     pub(super) edge_factors: Vec<f64>,
     pub(super) joint_records: Vec<JointRecord>,
+    pub(super) yielded_now: Vec<usize>,
     pub(super) classic: ClassicJoints,
     pub(super) tally: Tally,
     pub(super) probe_values: Vec<f64>,
@@ -77,6 +78,7 @@ impl Simulation {
             contact_force,
             edge_factors,
             joint_records,
+            yielded_now,
             classic,
             tally,
             probe_values,
@@ -100,6 +102,7 @@ impl Simulation {
             contact_force: contact_force.clone(),
             edge_factors: edge_factors.clone(),
             joint_records: joint_records.clone(),
+            yielded_now: yielded_now.clone(),
             classic: classic.clone(),
             tally: tally.clone(),
             probe_values: probe_values.clone(),
@@ -138,6 +141,7 @@ impl Simulation {
         self.contact_force = state.contact_force;
         self.edge_factors = state.edge_factors;
         self.joint_records = state.joint_records;
+        self.yielded_now = state.yielded_now;
         self.classic = state.classic;
         self.tally = state.tally;
         self.probe_values = state.probe_values;

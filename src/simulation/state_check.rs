@@ -101,6 +101,7 @@ fn check_joints(state: &SimulationState, scene: &Scene) -> Result<(), StateFault
         state.failures.iter().all(|f| is_failure(f.element, f.law)),
         "a joint has failed that is not there",
     )?;
+    require(state.yielded_now.iter().all(|&e| e < len), "a joint yields that is not there")?;
     let records = scene.conventions.cohesive == CohesiveModel::YGeo;
     require(
         state.joint_records.len() == if records { len } else { 0 },
