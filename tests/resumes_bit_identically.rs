@@ -454,12 +454,14 @@ fn other_formats_are_refused() {
     assert!(error.contains("yh, d3plot, vtu, state"), "{error}");
 }
 
-/// A checkpoint of a small run with joints and contact, and its bytes.
-fn sample() -> (Runner, Vec<u8>) {
-    let runner = Runner {
-        formats: vec![Format::Yh, Format::D3plot, Format::Vtu],
-        ..Runner::new(&edited(&[("MCSTEP 20", "MCSTEP 260"), ("D1PNAX 2 0 5e3", "D1PNAX 2 0 5e6")]))
-    };
+/// A small deck with joints and contact.
+fn small() -> String {
+    edited(&[("MCSTEP 20", "MCSTEP 260"), ("D1PNAX 2 0 5e3", "D1PNAX 2 0 5e6")])
+}
+
+/// A run of a deck with a checkpoint, and the checkpoint's bytes.
+fn sample(deck: &str) -> (Runner, Vec<u8>) {
+    let runner = Runner::new(deck);
     runner.run(Some(115), at_end()).expect("a run");
     let bytes = fs::read(runner.checkpoint()).expect("a checkpoint");
     (runner, bytes)
@@ -467,7 +469,7 @@ fn sample() -> (Runner, Vec<u8>) {
 
 #[test]
 fn cut_and_changed_checkpoints_are_refused() {
-    let (runner, bytes) = sample();
+    let (runner, bytes) = sample(&small());
     let refused = |bytes: &[u8]| {
         fs::write(runner.checkpoint(), bytes).expect("writable");
         Checkpoint::read(&runner.checkpoint()).expect_err("a refusal").to_string()
@@ -501,11 +503,19 @@ fn signed(mut bytes: Vec<u8>) -> Vec<u8> {
 
 #[test]
 fn forged_checkpoints_panic_not() {
-    let (runner, bytes) = sample();
+    forge(&small());
+    for deck in ["classic/g_joint_mixed/g_joint_mixed.y", "resume/g_joint_mixed.y"] {
+        forge(&shortened(&folder(deck), "260", "1"));
+    }
+}
+
+/// Runs from checkpoints with wrong bytes under the right checksum.
+fn forge(deck: &str) {
+    let (runner, bytes) = sample(deck);
     let header = bytes.windows(5).position(|w| w == b"0.1.0").expect("the version") + 13;
     let cases = (header..bytes.len() - 8, any::<u8>(), 1usize..9);
     let mut proptest = proptest::test_runner::TestRunner::new(ProptestConfig {
-        cases: 1500,
+        cases: 200,
         failure_persistence: None,
         ..ProptestConfig::default()
     });
@@ -525,5 +535,5 @@ fn forged_checkpoints_panic_not() {
         })
         .expect("no panic");
     let counts = (refused.get(), run.get());
-    assert!(counts.0 > 50 && counts.1 > 50, "{counts:?} refused and run");
+    assert!(counts.0 > 10 && counts.1 > 10, "{counts:?} refused and run");
 }

@@ -8,6 +8,7 @@ mod restage;
 mod resume;
 mod run;
 mod summary;
+mod writers;
 
 pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
 pub use load::{DeckFault, LoadedDeck, load};

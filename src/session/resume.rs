@@ -4,7 +4,8 @@ use super::{
     checkpoint::{Checkpoint, CheckpointError, DeckPrint, Position},
     load::LoadedDeck,
     restage::replay,
-    run::{RunError, RunOptions, open_writers},
+    run::{RunError, RunOptions},
+    writers::open_writers,
 };
 use crate::output::{OutputNames, ResultWriter};
 use yformat::database::Database;
