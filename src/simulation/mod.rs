@@ -149,6 +149,8 @@ impl Simulation {
                 contact.force_detection(2.0);
             }
         }
+        self.install_supports();
+        self.put_excavated_nodes_into_their_set();
         if self.scene.conventions.cohesive == CohesiveModel::Classic {
             self.set_up_classic_joints();
         } else {

@@ -4,12 +4,52 @@ use super::{Reader, reader::Offenders};
 use crate::mechanics::aperture::Aperture;
 use crate::scene::{
     Combination, ElementKind, Elements, InitialAperture, Insertion, Interfaces, JointKind,
-    JointPair, JointRestart, LoadRamp, Material, RockJoint, SnapshotSettings,
+    JointPair, JointRestart, LoadRamp, Material, RockJoint, Scene, SnapshotSettings,
 };
 use yformat::diagnostic::Diagnostic;
 
 /// Most characters of a number in a snapshot: beyond, an integer has no room for it.
 const MOST_DIGITS: i64 = 9;
+
+/// Checks that need the whole scene.
+pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    let inserts = scene.insertion.as_ref().is_some_and(Insertion::inserts_joints);
+    let has_joints = scene.elements.joint_kind.iter().any(|kind| *kind != JointKind::NoJoint);
+    let sets: Vec<String> = (0..scene.cohesive_laws.len())
+        .filter(|&set| scene.cohesive_laws[set].is_cohesive)
+        .map(|set| set.to_string())
+        .collect();
+    if (inserts || has_joints) && sets.len() > 1 {
+        reader.report(
+            Diagnostic::warning(
+                "scene::joint-sets",
+                format!("property sets {} are of joints, and each acts on every joint", sets.join(", ")),
+            )
+            .at(reader.word("YDP/I1PTYP"))
+            .expected("one property set of type 3")
+            .help("as in the original joints are as stiff and strong as all sets together; give unused sets another type"),
+        );
+    }
+    let idle = |n: usize| {
+        let set = usize::try_from(scene.nodes.set[n]).ok();
+        set.and_then(|s| scene.node_sets.get(s)).is_some_and(|s| !s.moves)
+    };
+    if let Some(found) = Offenders::find(scene.nodes.len(), idle) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::node-set",
+                format!(
+                    "node {} belongs to property set {}, which is none of nodes: it never moves{}",
+                    found.first,
+                    scene.nodes.set[found.first],
+                    found.more()
+                ),
+            )
+            .at(reader.entry("YDN/I1NOPR", found.first))
+            .expected("a property set whose I1PTYP is -1"),
+        );
+    }
+}
 
 /// Says of each element what it is to the joints, as I1ELTY does, and numbers
 /// the property sets of joints behind those of triangles.

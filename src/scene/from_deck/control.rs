@@ -1,6 +1,6 @@
 use super::Reader;
 use crate::scene::{Control, RefinedOutput};
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Control {
     let time_step = reader.real("YDC/DCSTEC");
@@ -39,6 +39,18 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
             )
             .at(reader.place("YDC/DCGRAX"))
             .help("2D scenes have gravity along y only (DCGRAY); turn the model to tilt it"),
+        );
+    }
+    let interval = reader.integer("YDC/ICOUTF");
+    if interval <= 0 && reader.database.dialect() != Dialect::Split {
+        reader.report(
+            Diagnostic::error(
+                "scene::output-interval",
+                format!("ICOUTF is {interval}: the original divides by it"),
+            )
+            .at(reader.place("YDC/ICOUTF"))
+            .expected("the number of steps from one result state to the next, 1 or more")
+            .help("give it with /YD/YDC/ICOUTF"),
         );
     }
     let table = if reader.knows("YDC/ICSHTF") { "YDC/ICSHTF" } else { "YDC/ICOUTF" };

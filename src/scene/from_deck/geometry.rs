@@ -6,7 +6,7 @@ use crate::{
     mechanics::{Vec2, triangle::double_area},
     scene::{ElementKind, Scene},
 };
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// Twice the area over the squared longest edge, below which a triangle is flat.
 const FLAT: f64 = 1e-12;
@@ -56,8 +56,15 @@ fn check_areas(
             (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared());
         double_area(&[a, b, c]) / longest
     };
-    // coordinates that are no numbers have no flatness and count as flat
-    let is_flat = |e: usize| flatness(e).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
+    // the split dialect alone refuses triangles that run clockwise; coordinates
+    // that are no numbers have no flatness and count as flat
+    let refuses = reader.database.dialect() == Dialect::Split;
+    let size = |flatness: f64| if refuses { flatness } else { flatness.abs() };
+    let is_flat =
+        |e: usize| size(flatness(e)).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
+    if !refuses {
+        warn_of_clockwise(reader, triangles, coordinates, |e| flatness(e) < -FLAT);
+    }
     let Some(found) = Offenders::find(triangles.len(), |k| is_flat(triangles[k])) else {
         return true;
     };
@@ -90,6 +97,31 @@ fn check_areas(
     false
 }
 
+/// Clockwise triangles run in the classic dialect and Y-Geo, as in their programs.
+fn warn_of_clockwise(
+    reader: &mut Reader<'_>,
+    triangles: &[usize],
+    coordinates: &str,
+    is_clockwise: impl Fn(usize) -> bool,
+) {
+    let Some(found) = Offenders::find(triangles.len(), |k| is_clockwise(triangles[k])) else {
+        return;
+    };
+    let element = triangles[found.first];
+    reader.report(
+        Diagnostic::warning(
+            "scene::clockwise-triangle",
+            format!(
+                "triangle {element} runs clockwise with the coordinates of {coordinates}{}",
+                found.more()
+            ),
+        )
+        .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
+        .expected("three nodes counter-clockwise")
+        .help("as in the original such triangles have negative mass, and nodes with negative mass never move: exchange two nodes of each"),
+    );
+}
+
 /// Smallest time that an elastic wave takes across a triangle: its smallest
 /// height over the speed of compression waves. Explicit integration needs a
 /// time step below about this; it grows without bound beyond.
@@ -102,7 +134,7 @@ fn check_time_step(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) 
         }
         let [a, b, c] = scene.elements.corners::<3>(e).map(|n| scene.nodes.initial[n]);
         let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
-        let height = double_area(&[a, b, c]) / longest;
+        let height = double_area(&[a, b, c]).abs() / longest;
         let stiffness = material.lame_lambda + 2.0 * material.shear_modulus;
         let crossing = height / (stiffness / material.density).sqrt();
         if critical.is_none_or(|(least, _)| crossing < least) {

@@ -110,6 +110,9 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         node_sets::check_use(reader, &scene);
         contact::check_use(reader, &scene);
         probes::check_use(reader, &scene);
+        if is_classic {
+            classic::check_use(reader, &scene);
+        }
     }
     Some(scene)
 }

@@ -12,7 +12,9 @@ use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>> {
     let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets");
     let codes = [reader.integers("YDPN/I1PNFX", -1), reader.integers("YDPN/I1PNFY", -1)];
-    let amplitudes = [reader.reals("YDPN/D1PNAX", 1.0), reader.reals("YDPN/D1PNAY", 1.0)];
+    // the other programs have no default
+    let unloaded = if reader.database.dialect() == Dialect::Split { 1.0 } else { 0.0 };
+    let amplitudes = [reader.reals("YDPN/D1PNAX", unloaded), reader.reals("YDPN/D1PNAY", unloaded)];
     let (pressure, traction) = (reader.reals("YDPN/D1PNAP", 0.0), reader.reals("YDPN/D1PNAT", 0.0));
     let x_axis = [reader.reals("YDPN/D1PNXX", 1.0), reader.reals("YDPN/D1PNXY", 0.0)];
     let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
@@ -144,7 +146,8 @@ fn check_codes(reader: &mut Reader<'_>, len: usize) {
 fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
     for (k, name) in ["YDPN/D1PNAX", "YDPN/D1PNAY"].into_iter().enumerate() {
         let loaded = sets.iter().any(|s| s.conditions[k] != Condition::Frozen);
-        if loaded && !reader.is_given(name) {
+        let default_is_one = reader.database.dialect() == Dialect::Split;
+        if loaded && default_is_one && !reader.is_given(name) {
             reader.report(
                 Diagnostic::warning(
                     "scene::default-amplitude",
@@ -154,6 +157,9 @@ fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
                 .help(format!("add /YD/{name} with a 0 for each node set without load")),
             );
         }
+    }
+    if reader.database.dialect() == Dialect::Classic {
+        return;
     }
     let factor = reader.reals("YDPN/D1PNAF", 1.0);
     if let Some(found) = Offenders::find(sets.len(), |set| factor(set) != 1.0) {

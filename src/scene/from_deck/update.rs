@@ -70,8 +70,13 @@ fn update_settings(
     let names = |database: &str| named.iter().any(|n| n.split('/').next() == Some(database));
     scene.control = control::read(reader);
     if names("YDPE") {
+        let support_is_named = named.contains("YDPE/I1PSUP");
         let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
         scene.materials = materials::read(reader);
+        for material in scene.materials.iter_mut().filter(|_| !support_is_named) {
+            // it has been installed
+            material.resets_shape = false;
+        }
         if !named.contains("YDPE/I1PEJP") {
             for (material, set) in scene.materials.iter_mut().zip(sets) {
                 material.joint_set = set;
