@@ -105,7 +105,7 @@ pub fn run_with(
 ) -> Result<RunSummary, RunError> {
     let names = OutputNames::new(&options.deck, &options.folder);
     std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
-    check_names(&names)?;
+    check_names(&names, &checkpoints)?;
     observer.findings(&loaded.findings, loaded.deck.sources());
     let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
     let (resumed_at, mut here, mut writers, log) = match &checkpoints.resume {
@@ -442,8 +442,10 @@ fn check_stability(progress: &Progress) -> Result<(), RunError> {
 }
 
 /// Results cannot take the place of a folder: better said before the run than after it.
-fn check_names(names: &OutputNames) -> Result<(), OutputError> {
-    for path in [names.d3plot(), names.pvd(), names.history(0), names.log()] {
+fn check_names(names: &OutputNames, checkpoints: &Checkpoints) -> Result<(), OutputError> {
+    let checkpoint = checkpoints.are_written().then(|| names.checkpoint());
+    let results = [names.d3plot(), names.pvd(), names.history(0), names.log()];
+    for path in results.into_iter().chain(checkpoint) {
         if path.is_dir() {
             let source = std::io::Error::other("there is a folder of this name");
             return Err(OutputError::Io { path, source });

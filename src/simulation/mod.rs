@@ -200,6 +200,9 @@ impl Simulation {
         if let Some(insertion) = &mut scene.insertion {
             insertion::skip(insertion, &mut scene.materials);
         }
+        for material in &mut scene.materials {
+            material.resets_shape = false;
+        }
         self.continue_with(scene, None);
     }
 

@@ -107,8 +107,6 @@ pub(super) struct Plan {
     pub kinetic_energy_probes: bool,
     /// Whether a material is excavated.
     pub excavates: bool,
-    /// Node sets that the plan was made with, if excavation changes them afterwards.
-    pub sets: Option<Vec<i32>>,
 }
 
 impl Plan {
@@ -120,7 +118,6 @@ impl Plan {
         }
         plan.add_force_probes(scene);
         plan.excavates = scene.materials.iter().any(|m| m.is_excavated);
-        plan.sets = plan.excavates.then(|| scene.nodes.set.clone());
         plan
     }
 

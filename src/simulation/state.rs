@@ -21,7 +21,6 @@ pub struct SimulationState {
     pub(super) time: f64,
     pub(super) nodes: Nodes<2>,
     pub(super) elements: Elements,
-    pub(super) planned_sets: Option<Vec<i32>>,
     pub(super) force: Vec<Vec2>,
     pub(super) mass: Vec<f64>,
     pub(super) stress: Vec<Matrix2<f64>>,
@@ -66,7 +65,7 @@ impl Simulation {
         // every field is named, so that none that is new can be forgotten
         let Self {
             scene,
-            plan,
+            plan: _,
             contact,
             options: _,
             step,
@@ -94,7 +93,6 @@ impl Simulation {
             time: *time,
             nodes: scene.nodes.clone(),
             elements: scene.elements.clone(),
-            planned_sets: plan.sets.clone(),
             force: force.clone(),
             mass: mass.clone(),
             stress: stress.clone(),
@@ -121,18 +119,9 @@ impl Simulation {
     /// If the state is not one of this scene; the simulation is of no use then.
     pub fn restore(&mut self, state: SimulationState) -> Result<(), StateFault> {
         state_check::check(&state, &self.scene)?;
-        let planned = state.planned_sets;
         self.scene.nodes = state.nodes;
         self.scene.elements = state.elements;
-        match planned {
-            // excavation has changed the sets of nodes since the plan was made
-            Some(planned) => {
-                let now = std::mem::replace(&mut self.scene.nodes.set, planned);
-                self.plan = Plan::new(&self.scene);
-                self.scene.nodes.set = now;
-            }
-            None => self.plan = Plan::new(&self.scene),
-        }
+        self.plan = Plan::new(&self.scene);
         (self.step, self.time) = (state.step, state.time);
         self.force = state.force;
         self.mass = state.mass;

@@ -28,11 +28,6 @@ pub(super) fn check(state: &SimulationState, scene: &Scene) -> Result<(), StateF
         state.contact.is_some() == scene.contact.is_some(),
         "only one of the two knows contact",
     )?;
-    let excavates = scene.materials.iter().any(|m| m.is_excavated);
-    require(
-        state.planned_sets.as_ref().map(Vec::len) == excavates.then_some(nodes),
-        "it has another excavation",
-    )?;
     require(state.step <= LAST_STEP, "its step is beyond all steps")
 }
 
