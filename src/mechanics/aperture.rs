@@ -5,12 +5,13 @@
 use super::Vec2;
 use crate::{TOLERANCE, scene::InitialAperture, scene::RockJoint};
 use nalgebra::Matrix2;
+use serde::{Deserialize, Serialize};
 
 /// Stiffness of a joint before it is set up, Pa/m.
 const STIFF: f64 = 1e15;
 
 /// State of a rock fracture.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Aperture {
     /// Initial normal stiffness, Pa/m.
     pub initial_stiffness: f64,

@@ -114,6 +114,12 @@ impl OutputNames {
         self.folder.join(format!("{}.state_{steps}.txt", self.base))
     }
 
+    /// Checkpoint that a later run can go on from.
+    #[must_use]
+    pub fn checkpoint(&self) -> PathBuf {
+        self.folder.join(format!("{}.checkpoint", self.base))
+    }
+
     /// Machine-readable summary of the run.
     #[must_use]
     pub fn summary(&self) -> PathBuf {

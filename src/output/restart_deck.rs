@@ -4,7 +4,7 @@
 //! The number of masses is written, which the original leaves 0, so that both
 //! the original and Ypsilon read the deck.
 
-use super::{OutputError, OutputNames, ResultWriter};
+use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present};
 use crate::{
     mechanics::{Vec2, aperture::Aperture},
     scene::JointKind,
@@ -99,6 +99,26 @@ impl ResultWriter for RestartDeckOutput {
         if interval > 0 && done > 1 && (done.is_multiple_of(interval) || is_last) {
             self.write(simulation)?;
         }
+        Ok(())
+    }
+
+    fn kind(&self) -> &'static str {
+        "restart"
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        encode(self.kind(), &(self.snapshots, file_names(self.kind(), &self.written)?))
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        _simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let (snapshots, written) = decode::<(u32, Vec<String>)>(self.kind(), mark)?;
+        self.snapshots = snapshots.into();
+        self.written = present(names, &written)?;
         Ok(())
     }
 

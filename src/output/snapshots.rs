@@ -1,7 +1,10 @@
 //! `.ym` snapshots and `contactforce.txt` as the classic dialect writes them
 //! (spec `outputs.md` 1, 3.1).
 
-use super::{OutputError, OutputNames, ResultWriter};
+use super::{
+    FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, file_names,
+    mark::mark_of, present,
+};
 use crate::{
     mechanics::Vec2,
     scene::{ElementKind, JointKind, SnapshotSettings},
@@ -22,6 +25,8 @@ use yformat::{
 
 /// Property set over whose nodes the original sums contact forces: fixed there.
 const SUMMED_SET: i32 = 5;
+/// More snapshots than any run writes.
+const MOST_SNAPSHOTS: u64 = 1 << 60;
 
 /// Writes one `.ym` file per output step and a line of contact forces with each.
 pub struct SnapshotOutput {
@@ -29,7 +34,8 @@ pub struct SnapshotOutput {
     /// Number of the next snapshot.
     number: u64,
     written: Vec<PathBuf>,
-    forces: BufWriter<PartFile>,
+    /// Contact forces; `None` before an earlier run is gone on with.
+    forces: Option<BufWriter<PartFile>>,
 }
 
 impl SnapshotOutput {
@@ -47,8 +53,14 @@ impl SnapshotOutput {
             let earlier = std::fs::read(&path).map_err(OutputError::io(&path))?;
             part.write_all(&earlier).map_err(OutputError::io(&path))?;
         }
-        let forces = BufWriter::new(part);
+        let forces = Some(BufWriter::new(part));
         Ok(Self { names: names.clone(), number, written: Vec::new(), forces })
+    }
+
+    /// Snapshots of an earlier run, to be gone on with.
+    #[must_use]
+    pub fn closed(names: &OutputNames) -> Self {
+        Self { names: names.clone(), number: 0, written: Vec::new(), forces: None }
     }
 }
 
@@ -70,13 +82,45 @@ impl ResultWriter for SnapshotOutput {
         };
         self.written.push(write().map_err(OutputError::io(&path))?);
         self.number += 1;
-        writeln!(self.forces, "{}", contact_force_sums(simulation))
+        let Some(forces) = &mut self.forces else { return Ok(()) };
+        writeln!(forces, "{}", contact_force_sums(simulation))
             .map_err(OutputError::io(self.names.contact_forces()))
+    }
+
+    fn kind(&self) -> &'static str {
+        "ym"
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let kind = self.kind();
+        let Some(forces) = &mut self.forces else { return Err(OutputError::Mark { kind }) };
+        let position = mark_of(forces).map_err(OutputError::io(self.names.contact_forces()))?;
+        encode(kind, &(self.number, file_names(kind, &self.written)?, position))
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        _simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let (number, written, position): (u64, Vec<String>, FilePosition) =
+            decode(self.kind(), mark)?;
+        if number > MOST_SNAPSHOTS {
+            return Err(OutputError::Mark { kind: self.kind() });
+        }
+        self.number = number;
+        self.written = present(names, &written)?;
+        let path = names.contact_forces();
+        let part = PartFile::resume(&path, &position.into()).map_err(OutputError::changed(path))?;
+        self.forces = Some(BufWriter::new(part));
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
         let path = self.names.contact_forces();
-        let part = self.forces.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
+        let Some(forces) = self.forces else { return Ok(self.written) };
+        let part = forces.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
         let mut written = self.written;
         written.push(part.complete().map_err(OutputError::io(path))?);
         Ok(written)

@@ -5,10 +5,10 @@ mod events;
 mod frames;
 mod restart;
 
-use super::{OutputError, OutputNames, ResultWriter};
+use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present};
 use crate::{mechanics::Vec2, simulation::Simulation};
-use events::EventFiles;
-use restart::RestartFragments;
+use events::{EventFiles, EventMark};
+use restart::{RestartFragments, RestartMark};
 use std::{
     io::{self, BufWriter, Write},
     path::{Path, PathBuf},
@@ -38,13 +38,20 @@ impl Setup {
     fn new(simulation: &Simulation) -> Self {
         let masses = simulation.masses();
         let nodes: Vec<usize> = (0..masses.len()).filter(|&n| masses[n] > 0.0).collect();
-        let mut place = vec![usize::MAX; masses.len()];
+        Self::of(nodes, simulation.scene().nodes.current.clone())
+    }
+
+    fn of(nodes: Vec<usize>, reference: Vec<Vec2>) -> Self {
+        let mut place = vec![usize::MAX; reference.len()];
         for (index, &node) in nodes.iter().enumerate() {
             place[node] = index;
         }
-        Self { nodes, place, reference: simulation.scene().nodes.current.clone() }
+        Self { nodes, place, reference }
     }
 }
+
+/// Nodes shown and their reference, events, restarts, names of the files written.
+type VtpMark = (Option<(Vec<usize>, Vec<Vec2>)>, EventMark, RestartMark, Vec<String>);
 
 impl YGeoOutput {
     /// Files of a run, in the folder of its results.
@@ -102,6 +109,38 @@ impl ResultWriter for YGeoOutput {
         }
         self.events.write_events(simulation)?;
         self.restarts.write(simulation)
+    }
+
+    fn kind(&self) -> &'static str {
+        "vtp"
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let kind = self.kind();
+        let setup = self.setup.as_ref().map(|s| (s.nodes.clone(), s.reference.clone()));
+        let (events, restarts) = (self.events.mark()?, self.restarts.mark(kind)?);
+        encode(kind, &(setup, events, restarts, file_names(kind, &self.written)?))
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let kind = self.kind();
+        let (setup, events, restarts, written) = decode::<VtpMark>(kind, mark)?;
+        let nodes = simulation.scene().nodes.len();
+        if let Some((shown, reference)) = &setup
+            && (reference.len() != nodes || shown.iter().any(|&n| n >= reference.len()))
+        {
+            return Err(OutputError::Mark { kind });
+        }
+        self.setup = setup.map(|(shown, reference)| Setup::of(shown, reference));
+        self.events.resume(events)?;
+        self.restarts.resume(kind, restarts, names, simulation)?;
+        self.written = present(names, &written)?;
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {

@@ -26,7 +26,7 @@ pub use conventions::{
     SPLIT_FREE_EDGE, VolumetricShare,
 };
 pub use fracture_network::{Fracture, FractureNetwork, FractureTreatment, SeismicMethod};
-pub use from_deck::{BuildOutcome, Profile, from_deck, update_scene};
+pub use from_deck::{BuildOutcome, Profile, from_deck, replay_settings, update_scene};
 pub use joint_restart::JointRestart;
 pub use materials::{
     CohesiveLaw, ElasticLaw, ElementKind, Isotropy, Layering, Material, TransverseIsotropy,

@@ -16,6 +16,8 @@ mod joint_records;
 mod motion;
 mod plan;
 mod probe_values;
+mod state;
+mod state_check;
 mod view;
 
 use crate::{
@@ -32,6 +34,7 @@ use plan::{ForcePhase, Plan};
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
+pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
 /// Choices that change how fast a simulation runs, never its results.
@@ -189,6 +192,18 @@ impl Simulation {
         }
         self.edge_factors.resize(scene.node_sets.len(), 1.0);
         self.scene = scene;
+    }
+
+    /// Takes over the settings of a later stage on the way to a state that is restored next:
+    /// what [`Self::continue_with`] and [`Self::prepare`] do without the mesh.
+    pub fn replay_stage(&mut self, mut scene: Scene) {
+        if let Some(insertion) = &mut scene.insertion {
+            insertion::skip(insertion, &mut scene.materials);
+        }
+        for material in &mut scene.materials {
+            material.resets_shape = false;
+        }
+        self.continue_with(scene, None);
     }
 
     /// First half of a step: internal forces, joints, contact detection and

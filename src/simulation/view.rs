@@ -12,6 +12,7 @@ use crate::{
     scene::{CohesiveModel, ElementKind, JointKind, Scene},
 };
 use nalgebra::Matrix2;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 impl Simulation {
@@ -196,7 +197,7 @@ pub enum JointCondition {
 }
 
 /// When and how a joint failed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct JointFailure {
     /// Element number.
     pub element: usize,

@@ -1,10 +1,11 @@
 //! Text files of joints that yield and break, and of their totals.
 
 use super::{
-    super::OutputError,
+    super::{FilePosition, OutputError, mark::mark_of},
     frames::{corners, yield_mode},
 };
 use crate::{scene::JointKind, simulation::Simulation};
+use serde::{Deserialize, Serialize};
 use std::{
     io::{self, BufWriter},
     path::{Path, PathBuf},
@@ -42,6 +43,18 @@ impl Lines {
         done.map_err(OutputError::io(&self.path))
     }
 
+    fn mark(&mut self) -> Result<Option<FilePosition>, OutputError> {
+        let position = self.file.as_mut().map(mark_of).transpose();
+        position.map_err(OutputError::io(&self.path))
+    }
+
+    fn resume(&mut self, position: Option<FilePosition>) -> Result<(), OutputError> {
+        let open = |position: FilePosition| PartFile::resume(&self.path, &position.into());
+        let part = position.map(open).transpose().map_err(OutputError::changed(&self.path))?;
+        self.file = part.map(BufWriter::new);
+        Ok(())
+    }
+
     fn finish(self) -> Result<Option<PathBuf>, OutputError> {
         let Some(file) = self.file else { return Ok(None) };
         let part = file.into_inner().map_err(|e| OutputError::io(&self.path)(e.into_error()))?;
@@ -58,7 +71,28 @@ pub(super) struct EventFiles {
     failures: usize,
 }
 
+/// What a later run needs to go on with the files.
+#[derive(Serialize, Deserialize)]
+pub(super) struct EventMark {
+    positions: [Option<FilePosition>; 3],
+    failures: u64,
+}
+
 impl EventFiles {
+    pub fn mark(&mut self) -> Result<EventMark, OutputError> {
+        let positions = [self.breakage.mark()?, self.yielding.mark()?, self.totals.mark()?];
+        Ok(EventMark { positions, failures: self.failures as u64 })
+    }
+
+    pub fn resume(&mut self, mark: EventMark) -> Result<(), OutputError> {
+        let [breakage, yielding, totals] = mark.positions;
+        self.breakage.resume(breakage)?;
+        self.yielding.resume(yielding)?;
+        self.totals.resume(totals)?;
+        self.failures = usize::try_from(mark.failures).unwrap_or(usize::MAX);
+        Ok(())
+    }
+
     pub fn new(prefix: &Path) -> Self {
         let lines = |file: TextFile| Lines::new(file.path(prefix));
         Self {

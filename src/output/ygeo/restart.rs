@@ -1,8 +1,12 @@
 //! Fragments of decks to start from the present state again: coordinates and
 //! velocities of the deck's own nodes (spec `outputs.md` 5.7).
 
-use super::{super::OutputError, save};
+use super::{
+    super::{OutputError, OutputNames, file_names, present},
+    save,
+};
 use crate::{mechanics::Vec2, simulation::Simulation};
+use serde::{Deserialize, Serialize};
 use std::path::{Path, PathBuf};
 use yformat::{
     database::Database,
@@ -19,6 +23,14 @@ pub(super) struct RestartFragments {
     topology: Vec<[usize; 3]>,
     nodes: usize,
     written: Vec<PathBuf>,
+}
+
+/// What a later run needs to go on with the fragments.
+#[derive(Serialize, Deserialize)]
+pub(super) struct RestartMark {
+    topology: Vec<[usize; 3]>,
+    nodes: usize,
+    written: Vec<String>,
 }
 
 impl RestartFragments {
@@ -74,6 +86,30 @@ impl RestartFragments {
             }
         }
         represented
+    }
+
+    pub fn mark(&self, kind: &'static str) -> Result<RestartMark, OutputError> {
+        Ok(RestartMark {
+            topology: self.topology.clone(),
+            nodes: self.nodes,
+            written: file_names(kind, &self.written)?,
+        })
+    }
+
+    pub fn resume(
+        &mut self,
+        kind: &'static str,
+        mark: RestartMark,
+        names: &OutputNames,
+        simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let scene = simulation.scene();
+        if mark.topology.len() > scene.elements.len() || mark.nodes > scene.nodes.len() {
+            return Err(OutputError::Mark { kind });
+        }
+        (self.topology, self.nodes) = (mark.topology, mark.nodes);
+        self.written = present(names, &mark.written)?;
+        Ok(())
     }
 
     pub fn finish(self) -> Vec<PathBuf> {

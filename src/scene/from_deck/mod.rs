@@ -22,15 +22,16 @@ mod unsupported;
 mod update;
 mod ygeo;
 
-pub use update::update_scene;
+pub use update::{replay_settings, update_scene};
 
 use super::{Conventions, Scene};
 use reader::Reader;
+use serde::{Deserialize, Serialize};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic, dialect::Dialect};
 
 /// Which of the two programs of the split dialect is followed where they differ
 /// (spec `y2d3d.md` L).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Profile {
     /// The Windows program: no normalisation of local axes.
     #[default]

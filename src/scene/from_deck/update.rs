@@ -32,9 +32,42 @@ fn update(
     named: &BTreeSet<String>,
     profile: Profile,
 ) -> Scene {
-    let names = |database: &str| named.iter().any(|n| n.split('/').next() == Some(database));
     unsupported::check(reader);
     check_counts(reader, &scene, named);
+    update_settings(reader, &mut scene, named, profile);
+    update_nodes(reader, &mut scene, named);
+    update_elements(reader, &mut scene, named);
+    if !reader.has_errors() {
+        materials::check_use(reader, &scene);
+        joints::check_use(reader, &scene);
+        insertion::check_use(reader, &scene);
+        node_sets::check_use(reader, &scene);
+        geometry::check(reader, &scene);
+    }
+    scene
+}
+
+/// Gives a scene the settings of a later stage, which a run has passed without errors before;
+/// nodes and elements stay as they are.
+pub fn replay_settings(
+    deck: &Deck,
+    database: &Database,
+    scene: &mut Scene,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) {
+    let mut reader = Reader::new(deck, database);
+    update_settings(&mut reader, scene, named, profile);
+}
+
+/// Everything of a stage but nodes and elements.
+fn update_settings(
+    reader: &mut Reader<'_>,
+    scene: &mut Scene,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) {
+    let names = |database: &str| named.iter().any(|n| n.split('/').next() == Some(database));
     scene.control = control::read(reader);
     if names("YDPE") {
         let support_is_named = named.contains("YDPE/I1PSUP");
@@ -71,18 +104,8 @@ fn update(
         }
     }
     if names("YDO") {
-        update_probes(reader, &mut scene);
+        update_probes(reader, scene);
     }
-    update_nodes(reader, &mut scene, named);
-    update_elements(reader, &mut scene, named);
-    if !reader.has_errors() {
-        materials::check_use(reader, &scene);
-        joints::check_use(reader, &scene);
-        insertion::check_use(reader, &scene);
-        node_sets::check_use(reader, &scene);
-        geometry::check(reader, &scene);
-    }
-    scene
 }
 
 /// Restating the counts of a mesh that has grown would cut it.
