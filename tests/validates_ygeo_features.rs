@@ -212,6 +212,22 @@ fn support_takes_the_present_shape_for_free_of_stress() {
     assert!(free.forces().iter().any(|f| f.norm() > 1e6));
 }
 
+/// Half the product of stress and strain, over the whole square of unit area.
+#[test]
+fn strain_energy_is_recorded() {
+    let stretched = "D2NCC 21 2 4\n0.0 0.0\n1.001 0.0\n1.001 1.0\n0.0 1.0";
+    let plain = "D2NCC 21 2 4\n0.0 0.0\n1.0 0.0\n1.0 1.0\n0.0 1.0";
+    let mut simulation = square(&with(&[
+        (plain, stretched),
+        ("YDPE/I1PTYP 1 1", "YDPE/I1PTYP 1 5"),
+        ("I1OHYT 1 15", "I1OHYT 1 21"),
+    ]));
+    simulation.evaluate_forces();
+    let strain = 0.5 * (1.001f64.powi(2) - 1.0);
+    let stress = 2e9 / (1.0 - 0.25 * 0.25) * strain;
+    close(simulation.probe_values()[0], 0.5 * stress * strain * 1.001, 1e-6 * stress * strain);
+}
+
 /// With hysteresis a joint that closes again gives back less than it took.
 #[test]
 fn hysteretic_joints_keep_the_energy_of_softening() {

@@ -47,6 +47,17 @@ pub enum StressLaw {
     Linear(LinearElasticity),
 }
 
+impl StressLaw {
+    /// The elastic part of the law.
+    #[must_use]
+    pub fn without_viscosity(self) -> Self {
+        match self {
+            Self::NeoHookean(law) => Self::NeoHookean(Elasticity { viscosity: 0.0, ..law }),
+            Self::Linear(law) => Self::Linear(LinearElasticity { viscosity: 0.0, ..law }),
+        }
+    }
+}
+
 impl LinearElasticity {
     /// Cauchy stress, Pa.
     #[must_use]

@@ -105,6 +105,7 @@ pub(super) struct Plan {
     /// Whether softening or rigid triangles change the masses during a step.
     pub masses_change: bool,
     pub kinetic_energy_probes: bool,
+    pub strain_energy_probes: Vec<usize>,
     /// Whether a material is excavated.
     pub excavates: bool,
 }
@@ -258,6 +259,7 @@ impl Plan {
         for (probe, p) in scene.probes.iter().enumerate() {
             match p.quantity {
                 ProbeQuantity::KineticEnergy => self.kinetic_energy_probes = true,
+                ProbeQuantity::StrainEnergy => self.strain_energy_probes.push(probe),
                 ProbeQuantity::ForceX | ProbeQuantity::ForceY => {
                     let here = |n: &usize| scene.nodes.initial[*n] == Vec2::from(p.point);
                     let nodes = (0..scene.nodes.len()).filter(here);

@@ -3,7 +3,7 @@ use crate::{
     mechanics::Vec2,
     scene::{Insertion, Probe, ProbeQuantity, Scene},
 };
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
     let len = reader.count("YDO/NOHYS", "YDO/MOHYS", "histories", 0);
@@ -43,6 +43,7 @@ fn quantity(reader: &mut Reader<'_>, history: usize, code: i64) -> ProbeQuantity
         8 => ProbeQuantity::VelocityX,
         9 => ProbeQuantity::VelocityY,
         15 => ProbeQuantity::KineticEnergy,
+        21 if reader.database.dialect() == Dialect::YGeo => ProbeQuantity::StrainEnergy,
         18 => ProbeQuantity::ForceX,
         19 => ProbeQuantity::ForceY,
         _ => {
