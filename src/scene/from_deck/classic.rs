@@ -40,11 +40,20 @@ pub(super) fn name_joints(reader: &mut Reader<'_>, elements: &mut Elements, sets
             1 => JointKind::FreeEdge,
             2 => JointKind::PreExisting,
             3 => JointKind::Broken,
-            _ => continue,
+            _ => JointKind::NoJoint,
         };
-        elements.property[e] = elements.property[e].saturating_add(sets as i32);
     }
+    number_joints(elements, sets);
     find_sides(elements);
+}
+
+/// Numbers the property sets of joints behind those of triangles.
+pub(super) fn number_joints(elements: &mut Elements, sets: usize) {
+    for (property, kind) in elements.property.iter_mut().zip(&elements.joint_kind) {
+        if *kind != JointKind::NoJoint {
+            *property = property.saturating_add(sets as i32);
+        }
+    }
 }
 
 /// The two triangles of each joint: those whose edges have its nodes.
@@ -67,6 +76,15 @@ fn find_sides(elements: &mut Elements) {
             elements.sides[e] = [first, second];
         }
     }
+}
+
+/// Number of the last property set of one of these types, plus one: the arrays of the common table
+/// have to be given up to there.
+pub(super) fn sets_up_to(reader: &Reader<'_>, types: &[i64]) -> usize {
+    let Some(kinds) = reader.integer_field("YDP/I1PTYP") else { return 0 };
+    let given = kinds.given_shape().last().copied().unwrap_or(0);
+    let sets = usize::try_from(reader.integer("YDP/NPROP")).unwrap_or(0).min(given);
+    (0..sets).rev().find(|&set| types.contains(&kinds.get1(set))).map_or(0, |set| set + 1)
 }
 
 /// Staged loading.
@@ -100,24 +118,22 @@ pub(super) fn insertion(reader: &mut Reader<'_>, materials: &[Material]) -> Opti
     let pairs: Vec<JointPair> = pairs
         .map(|&m| JointPair { materials: [m as i32; 2], joint_set: materials[m].joint_set })
         .collect();
-    let kinds = reader.integers("YDP/I1PTYP", -1);
-    if let Some(pair) = pairs.iter().find(|pair| {
-        let set = usize::try_from(pair.joint_set).ok();
-        set.is_none_or(|s| s >= materials.len() || kinds(s) != 3)
-    }) {
+    let exists = |set: i32| usize::try_from(set).is_ok_and(|set| set < materials.len());
+    if let Some(pair) = pairs.iter().find(|pair| !exists(pair.joint_set)) {
         let material = pair.materials[0] as usize;
         reader.report(
             Diagnostic::error(
                 "scene::joint-set",
                 format!(
-                    "property set {material} is to get joints of set {}, which is no joint set",
+                    "property set {material} is to get joints of set {}, which does not exist",
                     pair.joint_set
                 ),
             )
             .at(reader
                 .entry("YDP/I1PEJP", material)
                 .or_else(|| reader.entry("YDP/I1PEMN", material)))
-            .expected("the number of a property set of type 3"),
+            .expected("the number of a property set of type 3")
+            .help("give it with /YD/YDP/I1PEJP"),
         );
     }
     let capacity = |name| usize::try_from(reader.integer(name)).unwrap_or(0);
@@ -191,6 +207,7 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
             .expected(format!("1 to {MOST_DIGITS}; decks use 4")),
         );
     }
+    check_scales(reader);
     let number = |name| u64::try_from(reader.integer(name)).unwrap_or(0);
     let real = |name| reader.real(name);
     SnapshotSettings {
@@ -203,6 +220,29 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
         digits: u8::try_from(digits).unwrap_or(2),
         first_number: number("YDC/ICOUTI"),
         restart_interval: number("YDC/ICSAVF"),
+    }
+}
+
+/// Snapshots show values divided by their scales, and apertures as logarithms.
+fn check_scales(reader: &mut Reader<'_>) {
+    for name in ["YDC/DCSIZC", "YDC/DCSIZF", "YDC/DCSIZS", "YDC/DCSIZV", "YDC/DCSIZD", "YDC/DCSIZA"]
+    {
+        let value = reader.real(name);
+        let is_logarithmic = name == "YDC/DCSIZA";
+        if if is_logarithmic { value <= 0.0 || value == 1.0 } else { value == 0.0 } {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::output-scale",
+                    format!("{name} is {value}: what it scales cannot be read from snapshots"),
+                )
+                .at(reader.place(name))
+                .expected(if is_logarithmic {
+                    "an aperture above 0 and other than 1, such as 1e-7"
+                } else {
+                    "a value that no result exceeds"
+                }),
+            );
+        }
     }
 }
 

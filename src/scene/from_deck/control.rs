@@ -1,6 +1,6 @@
 use super::Reader;
 use crate::scene::Control;
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Control {
     let time_step = reader.real("YDC/DCSTEC");
@@ -41,6 +41,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
             .help("2D scenes have gravity along y only (DCGRAY); turn the model to tilt it"),
         );
     }
+    check_output_interval(reader);
     let table = if reader.knows("YDC/ICSHTF") { "YDC/ICSHTF" } else { "YDC/ICOUTF" };
     let steps = |n: i64| u64::try_from(n).unwrap_or(0);
     Control {
@@ -52,4 +53,24 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         output_interval: steps(reader.integer("YDC/ICOUTF")).max(1),
         table_interval: steps(reader.integer(table)).max(1),
     }
+}
+
+/// The split dialect has an interval of its own where the deck gives none; the others divide by
+/// the deck's.
+fn check_output_interval(reader: &mut Reader<'_>) {
+    let interval = reader.integer("YDC/ICOUTF");
+    if interval > 0 || reader.database.dialect() == Dialect::Split {
+        return;
+    }
+    let message = if reader.is_given("YDC/ICOUTF") {
+        format!("ICOUTF asks for results every {interval} steps")
+    } else {
+        "ICOUTF, the number of steps between results, is not given".to_owned()
+    };
+    reader.report(
+        Diagnostic::error("scene::output-interval", message)
+            .at(reader.place("YDC/ICOUTF"))
+            .expected("1 or more: the original divides by it")
+            .help("set /YD/YDC/ICOUTF to a number of steps, to that of MCSTEP for the first state only"),
+    );
 }

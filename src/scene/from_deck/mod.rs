@@ -6,6 +6,7 @@
 //! findings.
 
 mod classic;
+mod classic_use;
 mod contact;
 mod control;
 mod elements;
@@ -109,6 +110,9 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         node_sets::check_use(reader, &scene);
         contact::check_use(reader, &scene);
         probes::check_use(reader, &scene);
+        if is_classic {
+            classic_use::check(reader, &scene);
+        }
     }
     Some(scene)
 }

@@ -1,8 +1,8 @@
 //! A scene changed by a later stage of its deck.
 
 use super::{
-    BuildOutcome, Profile, Reader, contact, control, elements, geometry, insertion, joints,
-    materials, node_sets, nodes::to_i32, probes, unsupported,
+    BuildOutcome, Profile, Reader, classic, classic_use, contact, control, elements, geometry,
+    insertion, joints, materials, node_sets, nodes::to_i32, probes, unsupported,
 };
 use crate::scene::Scene;
 use nalgebra::Vector2;
@@ -32,40 +32,58 @@ fn update(
     named: &BTreeSet<String>,
     profile: Profile,
 ) -> Scene {
-    let names = |database: &str| named.iter().any(|n| n.split('/').next() == Some(database));
+    let own_database = |database| match (reader.is_classic(), database) {
+        (true, "YDPE" | "YDPJ" | "YDPN" | "YDPM") => "YDP",
+        (_, database) => database,
+    };
+    let names = |database| {
+        let database = own_database(database);
+        named.iter().any(|n| n.split('/').next() == Some(database))
+    };
+    let (names_nodes, names_joints, names_triangles) =
+        (names("YDPN"), names("YDPJ"), names("YDPE"));
+    let (names_meshing, names_contact, names_histories) =
+        (names("YDPM"), names("YDI"), names("YDO"));
     unsupported::check(reader);
     check_counts(reader, &scene, named);
     scene.control = control::read(reader);
-    if names("YDPE") {
+    if names_triangles {
         let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
         scene.materials = materials::read(reader);
-        if !named.contains("YDPE/I1PEJP") {
+        // in the split dialect and Y-Geo the program itself says which joints there are
+        if !reader.is_classic() && !named.contains("YDPE/I1PEJP") {
             for (material, set) in scene.materials.iter_mut().zip(sets) {
                 material.joint_set = set;
             }
         }
     }
-    if names("YDPJ") {
+    if names_joints {
         scene.cohesive_laws = joints::read(reader);
     }
-    if names("YDPN") {
+    if names_nodes {
         scene.node_sets = node_sets::read(reader, profile);
         scene.load_history = node_sets::read_load_history(reader, scene.node_sets.len());
     }
-    if names("YDI") || named.contains("YDC/IWFAST") {
+    if names_contact || named.contains("YDC/IWFAST") {
         scene.contact = contact::read(reader);
     }
-    if names("YDPM") {
+    if names_meshing {
         let earlier = scene.insertion.take();
         scene.insertion = insertion::read(reader, &scene.materials);
-        if !named.contains("YDPM/I2PMSET") {
+        let codes: &[&str] =
+            if reader.is_classic() { &["YDP/I1PEMN", "YDP/I1PNFZ"] } else { &["YDPM/I2PMSET"] };
+        if !codes.iter().any(|code| named.contains(*code)) {
             // codes are consumed when they are executed
-            if let (Some(new), Some(old)) = (&mut scene.insertion, earlier) {
-                new.combinations = old.combinations;
+            match (&mut scene.insertion, earlier) {
+                (Some(new), Some(old)) => new.combinations = old.combinations,
+                (new, old) => *new = old,
             }
         }
     }
-    if names("YDO") {
+    if reader.is_classic() {
+        scene.ramp = Some(classic::ramp(reader));
+    }
+    if names_histories {
         update_probes(reader, &mut scene);
     }
     update_nodes(reader, &mut scene, named);
@@ -76,14 +94,20 @@ fn update(
         insertion::check_use(reader, &scene);
         node_sets::check_use(reader, &scene);
         geometry::check(reader, &scene);
+        if reader.is_classic() {
+            classic_use::check_again(reader, &scene);
+        }
     }
     scene
 }
 
 /// Restating the counts of a mesh that has grown would cut it.
 fn check_counts(reader: &mut Reader<'_>, scene: &Scene, named: &BTreeSet<String>) {
+    let sets = scene.materials.len();
     let counts = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
-    for (name, now) in counts {
+    // joints are numbered behind the property sets of triangles
+    for (name, now) in counts.into_iter().chain(reader.is_classic().then_some(("YDP/NPROP", sets)))
+    {
         if named.contains(name) && reader.integer(name) != now as i64 {
             reader.report(
                 Diagnostic::error(
@@ -139,7 +163,9 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
     let elements = &mut scene.elements;
     if named.contains("YDE/I1ELPR") {
         replace(reader, "YDE/I1ELPR", &mut elements.property, named);
-        elements::name_joints(elements, reader.database.dialect());
+        if !reader.is_classic() {
+            elements::name_joints(elements, reader.database.dialect());
+        }
         elements::check_properties(
             reader,
             elements.len(),
@@ -148,6 +174,9 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
             scene.materials.len(),
             scene.cohesive_laws.len(),
         );
+        if reader.is_classic() {
+            classic::number_joints(elements, scene.materials.len());
+        }
     }
     replace(reader, "YDE/I1ELBE", &mut elements.contact_tag, named);
     if let Some(field) = reader.real_field("YDE/D2ELST").filter(|_| named.contains("YDE/D2ELST")) {
