@@ -29,13 +29,27 @@ pub struct Verdict {
 
 /// The sound deck.
 pub fn base() -> String {
-    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks/base.y");
-    fs::read_to_string(path).expect("the base deck is part of the repository")
+    deck_of_the_repository("base.y")
+}
+
+/// The sound deck of the classic dialect.
+#[allow(dead_code, reason = "only the tests of the classic dialect use it")]
+pub fn classic_base() -> String {
+    deck_of_the_repository("base_classic.y")
+}
+
+fn deck_of_the_repository(name: &str) -> String {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks");
+    fs::read_to_string(folder.join(name)).expect("the base deck is part of the repository")
 }
 
 /// The sound deck after some edits. Each edit must name text that the deck has exactly once.
 pub fn edited(edits: Edits<'_>) -> String {
-    let mut deck = base();
+    edit(base(), edits)
+}
+
+/// A deck after some edits. Each edit must name text that the deck has exactly once.
+pub fn edit(mut deck: String, edits: Edits<'_>) -> String {
     for (old, new) in edits {
         assert_eq!(deck.matches(old).count(), 1, "`{old}` must stand in the deck once");
         deck = deck.replacen(old, new, 1);

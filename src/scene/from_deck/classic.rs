@@ -191,7 +191,7 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
                     "scene::output-scale",
                     format!("{name}, the scale of {what} in snapshots, is not given"),
                 )
-                .expected(format!("/YD/{name} with a value that no result exceeds"))
+                .expected(format!("/YD/{name} with {}", usual_scale(name)))
                 .help("a default is taken here; the original takes whatever lies in its memory"),
             );
         }
@@ -223,24 +223,32 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
     }
 }
 
-/// Snapshots show values divided by their scales, and apertures as logarithms.
+/// What the scale of a quantity in snapshots should be.
+fn usual_scale(name: &str) -> &'static str {
+    if name == APERTURE_SCALE {
+        "an aperture above 0 and other than 1, such as 1e-7"
+    } else {
+        "a value that no result exceeds"
+    }
+}
+
+/// Scale of apertures, which are shown as logarithms.
+const APERTURE_SCALE: &str = "YDC/DCSIZA";
+
+/// Snapshots show values divided by their scales.
 fn check_scales(reader: &mut Reader<'_>) {
-    for name in ["YDC/DCSIZC", "YDC/DCSIZF", "YDC/DCSIZS", "YDC/DCSIZV", "YDC/DCSIZD", "YDC/DCSIZA"]
+    for name in
+        ["YDC/DCSIZC", "YDC/DCSIZF", "YDC/DCSIZS", "YDC/DCSIZV", "YDC/DCSIZD", APERTURE_SCALE]
     {
         let value = reader.real(name);
-        let is_logarithmic = name == "YDC/DCSIZA";
-        if if is_logarithmic { value <= 0.0 || value == 1.0 } else { value == 0.0 } {
+        if value == 0.0 || (name == APERTURE_SCALE && (value < 0.0 || value == 1.0)) {
             reader.report(
                 Diagnostic::warning(
                     "scene::output-scale",
                     format!("{name} is {value}: what it scales cannot be read from snapshots"),
                 )
                 .at(reader.place(name))
-                .expected(if is_logarithmic {
-                    "an aperture above 0 and other than 1, such as 1e-7"
-                } else {
-                    "a value that no result exceeds"
-                }),
+                .expected(usual_scale(name)),
             );
         }
     }

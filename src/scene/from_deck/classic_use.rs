@@ -206,7 +206,7 @@ fn check_restart(reader: &mut Reader<'_>, scene: &Scene) {
         reader.report(
             Diagnostic::error(
                 "scene::joint-restart",
-                format!("the run goes on with {joints} joints, but NJOINT gives {given}"),
+                format!("NJOINT is {given}, but the run goes on with joints: {joints}"),
             )
             .at(reader.place("YDJ/NJOINT").or_else(|| reader.place("YDC/NCSTEP")))
             .expected("the state of all joints in database YDJ")

@@ -41,7 +41,6 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
             .help("2D scenes have gravity along y only (DCGRAY); turn the model to tilt it"),
         );
     }
-    check_output_interval(reader);
     let table = if reader.knows("YDC/ICSHTF") { "YDC/ICSHTF" } else { "YDC/ICOUTF" };
     let steps = |n: i64| u64::try_from(n).unwrap_or(0);
     Control {
@@ -57,7 +56,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
 
 /// The split dialect has an interval of its own where the deck gives none; the others divide by
 /// the deck's.
-fn check_output_interval(reader: &mut Reader<'_>) {
+pub(super) fn check_use(reader: &mut Reader<'_>) {
     let interval = reader.integer("YDC/ICOUTF");
     if interval > 0 || reader.database.dialect() == Dialect::Split {
         return;
@@ -71,6 +70,6 @@ fn check_output_interval(reader: &mut Reader<'_>) {
         Diagnostic::error("scene::output-interval", message)
             .at(reader.place("YDC/ICOUTF"))
             .expected("1 or more: the original divides by it")
-            .help("set /YD/YDC/ICOUTF to a number of steps, to that of MCSTEP for the first state only"),
+            .help("set /YD/YDC/ICOUTF to a number of steps; that of MCSTEP gives the first state only"),
     );
 }

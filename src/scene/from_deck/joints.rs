@@ -147,21 +147,21 @@ fn report_type(reader: &mut Reader<'_>, set: usize, scene: &Scene) {
     let (message, help) = if acts {
         (
             format!("joints have property set {set}, which has not type 3"),
-            "in this dialect all sets of type 3 act on every joint: of its own set a joint takes only D1PCOH at the start",
+            Some(
+                "in this dialect all sets of type 3 act on every joint: of its own set a joint takes only D1PCOH at the start",
+            ),
         )
     } else {
-        (
-            format!("joint set {set} has not type 3: its joints carry nothing"),
-            "without forces joints do not hold triangles together",
-        )
+        (format!("joint set {set} has not type 3: its joints carry nothing"), None)
     };
     let expected = format!("3, the type of 2D joints, in /YD/{}", reader.called("YDPJ/I1PTYP"));
-    reader.report(
-        Diagnostic::warning("scene::joint-type", message)
-            .at(reader.entry("YDPJ/I1PTYP", set).or_else(|| reader.word("YDPJ/NPJSET")))
-            .expected(expected)
-            .help(help),
-    );
+    let finding = Diagnostic::warning("scene::joint-type", message)
+        .at(reader.entry("YDPJ/I1PTYP", set).or_else(|| reader.word("YDPJ/NPJSET")))
+        .expected(expected);
+    reader.report(match help {
+        Some(help) => finding.help(help),
+        None => finding,
+    });
 }
 
 fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {

@@ -1,5 +1,5 @@
 use super::{Reader, classic, nodes::to_i32, reader::numbers_of, ygeo};
-use crate::scene::{ElementKind, Material, Scene};
+use crate::scene::{ElasticLaw, ElementKind, Material, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// Types of elastic triangles in the classic dialect.
@@ -44,7 +44,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
     (0..len)
         .map(|i| Material {
             kind: kind(reader, i, kinds.get1(i)),
-            elastic_law: ygeo::elastic_law(reader, i, kinds.get1(i)),
+            elastic_law: elastic_law(reader, i, kinds.get1(i)),
             lame_lambda: lambda(i),
             shear_modulus: mu(i),
             viscosity: eta(i),
@@ -61,6 +61,14 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
             damage_row: to_i32(damage_row(i)),
         })
         .collect()
+}
+
+/// Other dialects have one law only.
+fn elastic_law(reader: &mut Reader<'_>, set: usize, code: i64) -> ElasticLaw {
+    match reader.database.dialect() {
+        Dialect::YGeo => ygeo::elastic_law(reader, set, code),
+        _ => ElasticLaw::NeoHookean,
+    }
 }
 
 fn kind(reader: &mut Reader<'_>, set: usize, code: i64) -> ElementKind {

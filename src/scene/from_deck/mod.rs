@@ -103,6 +103,7 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         probe_threshold,
     };
     if !reader.has_errors() {
+        control::check_use(reader);
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
         insertion::check_use(reader, &scene);

@@ -19,7 +19,7 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
     let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
     let absorbs = absorbs(reader);
     let is_classic = reader.is_classic();
-    let kind = reader.integers("YDPE/I1PTYP", NODE_SET);
+    let kind = reader.integers("YDPE/I1PTYP", 0);
     let moves = |set: usize| !is_classic || kind(set) == NODE_SET;
     let (factor, factor_step) = (
         reader.reals("YDPN/D1PNAF", if is_classic { 0.0 } else { 1.0 }),
@@ -311,7 +311,9 @@ fn check_sets_of_nodes(reader: &mut Reader<'_>, scene: &Scene) {
                 ),
             )
             .at(reader.entry("YDN/I1NOPR", found.first))
-            .expected(if sets == 0 {
+            .expected(if reader.is_classic() {
+                "a property set of type -1 (nodes)".to_owned()
+            } else if sets == 0 {
                 "node sets: /YD/YDPN/MPNSET, NPNSET and their arrays".to_owned()
             } else {
                 format!("a node set: {}", numbers_of(scene.node_sets.len()))

@@ -89,6 +89,7 @@ fn update(
     update_nodes(reader, &mut scene, named);
     update_elements(reader, &mut scene, named);
     if !reader.has_errors() {
+        control::check_use(reader);
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
         insertion::check_use(reader, &scene);
