@@ -12,12 +12,13 @@ use support::{
     scenes::{reference_scene, scene, step},
 };
 use ypsilon::{
-    contact::{Couple, Motion, PairProperties, Shape, SideForces, overlap},
+    contact::{Couple, Motion, Shape, SideForces, overlap},
     mechanics::{
-        Vec2, joint2,
-        triangle::{Elasticity, ReferenceShape, cauchy_stress, nodal_forces},
+        Vec2,
+        joint2::{self, SplitRules},
+        triangle::{Elasticity, ReferenceShape, StressLaw, cauchy_stress, nodal_forces},
     },
-    scene::{CohesiveLaw, Scene},
+    scene::{CohesiveLaw, PairProperties, RockJoint, Scene},
     simulation::Simulation,
 };
 
@@ -50,14 +51,19 @@ fn wall(bencher: Bencher<'_, '_>, (cells, threads): (usize, usize)) {
 
 #[divan::bench]
 fn triangle_kernel(bencher: Bencher<'_, '_>) {
-    let elasticity = Elasticity { lame_lambda: 2e9, shear_modulus: 3e9, viscosity: 1e4 };
+    let law = StressLaw::NeoHookean(Elasticity {
+        lame_lambda: 2e9,
+        shear_modulus: 3e9,
+        viscosity: 1e4,
+        volumetric_share: 0.5,
+    });
     let reference =
         ReferenceShape::new(&[Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)]);
     let corners = [Vec2::new(0.0, 0.0), Vec2::new(1.01, 0.002), Vec2::new(-0.003, 0.99)];
     let velocities = [Vec2::new(0.1, 0.0), Vec2::new(0.0, 0.2), Vec2::new(-0.3, 0.1)];
     bencher.counter(ItemsCount::new(1usize)).bench_local(|| {
         let (corners, velocities) = (black_box(&corners), black_box(&velocities));
-        nodal_forces(&cauchy_stress(&elasticity, &reference, corners, velocities), corners)
+        nodal_forces(&cauchy_stress(&law, &reference, corners, velocities), corners)
     });
 }
 
@@ -68,9 +74,14 @@ fn joint_kernel(bencher: Bencher<'_, '_>, opening: f64) {
         tensile_strength: 1e7,
         shear_strength: 1.5e7,
         fracture_energy: 1e4,
+        shear_fracture_energy: 1e4,
         cohesion: 1.2e7,
         friction: 0.6,
+        residual_friction: 0.0,
         penalty: 1e10,
+        peak_strength: 1e7,
+        rock: RockJoint::default(),
+        layering: None,
     };
     let corners = [
         Vec2::new(0.0, opening),
@@ -80,7 +91,7 @@ fn joint_kernel(bencher: Bencher<'_, '_>, opening: f64) {
     ];
     bencher.counter(ItemsCount::new(1usize)).bench_local(|| {
         let mut strength = black_box(1.2e7);
-        joint2::evaluate(&law, black_box(&corners), &mut strength)
+        joint2::evaluate::<SplitRules>(&law, black_box(&corners), &mut strength, None)
     });
 }
 
@@ -102,5 +113,5 @@ fn couple_kernel(bencher: Bencher<'_, '_>, depth: f64) {
     let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
     bencher
         .counter(ItemsCount::new(1usize))
-        .bench_local(|| overlap(black_box(&couple), &mut sliding, &mut sides));
+        .bench_local(|| overlap(black_box(&couple), &mut &pair, &mut sliding, &mut sides));
 }

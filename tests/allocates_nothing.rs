@@ -66,4 +66,7 @@ fn warm_steps_allocate_nothing() {
     assert_eq!(allocations_between("n_wall_tension", 10, 4000), 0);
     // pressure on edges with a load-time history
     assert_eq!(allocations_between("i_pres_fac", 2, 30), 0);
+    // classic: couples in order, fractures with apertures
+    assert_eq!(allocations_between("classic/j_wall_dry", 400, 2900), 0);
+    assert_eq!(allocations_between("classic/e_joint_tension", 1500, 2900), 0);
 }

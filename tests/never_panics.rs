@@ -72,7 +72,7 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
     let options = RunOptions {
         deck: path.to_path_buf(),
         folder: path.with_file_name("out"),
-        formats: vec![Format::D3plot, Format::Yh, Format::Vtu, Format::Json],
+        formats: vec![Format::Native, Format::D3plot, Format::Yh, Format::Vtu, Format::Json],
         states: vec![0, 1, 3],
         steps: Some(3),
         legacy_d3plot: false,
@@ -83,9 +83,14 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
     runs
 }
 
-/// Sound decks: the base of the bad ones, two of the original's reference cases, and one of two
-/// stages.
-const DECKS: [&str; 4] = [
+/// Sound decks: the base of the bad ones, reference cases of all dialects, a restart deck, and one of
+/// two stages.
+const DECKS: [&str; 9] = [
+    include_str!("data/classic/g_joint_pair/g_joint_pair.y"),
+    include_str!("data/classic/g_joint_pair/g_joint_pair4_restart.y"),
+    include_str!("data/classic/i_pressure/i_pressure.y"),
+    include_str!("data/ygeo/g_joint_pair/g_joint_pair.y"),
+    include_str!("data/ygeo/y_absorbing/y_absorbing.y"),
     include_str!("bad_decks/base.y"),
     include_str!("data/split2d/e2_tension_cyc/e2_tension_cyc.y"),
     include_str!("data/split2d/x_mesh_31/x_mesh_31.y"),

@@ -36,12 +36,8 @@ fn files_that_are_no_decks() {
 
 #[test]
 fn decks_of_other_programs() {
-    let classic =
-        "/YD/YDP/MPROP 1\n/YD/YDP/NPROP 1\n/YD/YDP/D1PEFT 1 1e6\n/YD/YDC/MCSTEP 20\n$YDOIT\n";
-    let ygeo = "/YD/YDC/MCSTEP 20\n/YD/YDN/MNODIM 2\n/YD/YDPE/MPROP 1\n/YD/YDR/MRDIM 2\n$YDOIT\n";
-    let said =
-        [one_error("classic deck", classic.as_bytes()), one_error("Y-Geo deck", ygeo.as_bytes())];
-    assert_snapshot!(said.concat());
+    let solid = "/YD/YDC/MCSTEP 20\n/YD/YDX/MELEM 1\n/YD/YDX/NELEM 1\n$YDOIT\n";
+    assert_snapshot!(one_error("deck of the Y3D lineage", solid.as_bytes()));
 }
 
 #[test]

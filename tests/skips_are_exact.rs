@@ -66,3 +66,15 @@ fn rigid_triangle_falls_on_a_block() {
 fn pushed_jointed_wall() {
     assert!(compare(&scene(&jointed_wall(12, 12, 1000)), 400) > 0);
 }
+
+#[test]
+fn classic_walls_and_blocks() {
+    for (case, steps) in [
+        ("classic/j_wall_dry", 3000),
+        ("classic/j_wall_jointed_mono", 3000),
+        ("classic/c_contact_normal", 4000),
+        ("classic/f_joint_shear_compression", 3000),
+    ] {
+        assert!(compare(&reference_scene(case), steps) > 0, "{case}");
+    }
+}

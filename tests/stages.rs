@@ -6,7 +6,7 @@ mod support;
 use assert_cmd::Command;
 use std::fs;
 use support::{
-    spoilt_deck::{base, classic_base, edited, write},
+    spoilt_deck::{base, base_of, edited, write},
     state_file::StateFile,
 };
 use tempfile::TempDir;
@@ -205,7 +205,8 @@ fn mistakes_of_later_stages_spare_the_results_of_earlier_ones() {
 
 #[test]
 fn a_stage_of_a_classic_deck_changes_what_it_names() {
-    let first = classic_base().replace("$YSTOP\n", "").replace("I1PEMN 4 3", "I1PEMN 4 0");
+    let first =
+        base_of("classic_glued").replace("$YSTOP\n", "").replace("I1PEMN 4 3", "I1PEMN 4 0");
     let push = "/YD/YDC/MCSTEP 21 /YD/YDP/D1PNAX 4 0 0 0 7e3\n";
     let fix = "/YD/YDC/MCSTEP 21 /YD/YDP/I1PNFX 4 0 0 3 3 /YD/YDP/D1PNAX 4 0 0 0 0.25\n";
     let ramp = "/YD/YDC/MCSTEP 21 /YD/YDP/I1PNFX 4 0 0 3 3 /YD/YDP/D1PNAX 4 0 0 0 0.25
@@ -226,7 +227,7 @@ fn a_stage_of_a_classic_deck_changes_what_it_names() {
 
 #[test]
 fn mesh_codes_of_a_classic_deck_act_once() {
-    let first = classic_base().replace("$YSTOP\n", "");
+    let first = base_of("classic_glued").replace("$YSTOP\n", "");
     let again = "/YD/YDC/MCSTEP 30 /YD/YDP/D1PEKS 4 1e3 0 0 0\n$YDOIT\n";
     let run = Run::of(&format!("{first}{again}"), &[]);
     let summary = run.outcome.as_ref().expect("a run");

@@ -6,6 +6,7 @@
 mod cells;
 mod fields;
 
+use std::fs;
 use std::path::{Path, PathBuf};
 
 use yformat::d3plot::{FamilyReader, Notice, State};
@@ -39,7 +40,8 @@ pub struct D3plotReport {
 
 /// Converts the family whose first file is `input` to `<name>.pvd` and its grids in `folder`.
 ///
-/// `state_done` is told after each state how many are done and how many there are.
+/// `state_done` is told after each state how many are done and how many there are. After an error
+/// no grids are left behind.
 ///
 /// Point data: `displacement`, `velocity`, in 3D `joint force` (what the file calls
 /// accelerations). Cell data: `stress`, `von Mises stress`, `Tresca stress`,
@@ -50,7 +52,24 @@ pub fn d3plot_to_vtu(
     folder: &Path,
     name: &str,
     deleted: DeletedElements,
+    state_done: impl FnMut(usize, usize),
+) -> Result<D3plotReport, ConvertError> {
+    let mut written = Vec::new();
+    let result = convert(input, folder, name, deleted, state_done, &mut written);
+    if result.is_err() {
+        // Grids without a collection would pass for the whole run.
+        written.iter().for_each(|path| drop(fs::remove_file(path)));
+    }
+    result
+}
+
+fn convert(
+    input: &Path,
+    folder: &Path,
+    name: &str,
+    deleted: DeletedElements,
     mut state_done: impl FnMut(usize, usize),
+    written: &mut Vec<PathBuf>,
 ) -> Result<D3plotReport, ConvertError> {
     let mut reader = FamilyReader::open(input)?;
     let layout = *reader.layout();
@@ -66,7 +85,9 @@ pub fn d3plot_to_vtu(
         let mut write = |block: &Block, part, label: &str, file: String| {
             let initial = &reader.geometry().coordinates;
             let grid = fields::grid(block, &layout, initial, &state, deleted);
-            write_vtu(&folder.join(&file), &grid)?;
+            let path = folder.join(&file);
+            write_vtu(&path, &grid)?;
+            written.push(path);
             series.push(f64::from(state.time), part, label, file);
             Ok::<_, ConvertError>(())
         };

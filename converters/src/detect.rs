@@ -16,6 +16,16 @@ pub enum FileKind {
     D3plot,
     /// A `.yh` history.
     History,
+    /// A `.ym` snapshot.
+    Ym,
+    /// A Gmsh mesh.
+    Gmsh,
+    /// A VTK file as Y-Geo writes it: version 0.1, arrays as text.
+    VtkSeries,
+    /// A deck that goes on from an earlier run: its first step is not 0.
+    RestartDeck,
+    /// Another input deck, of any dialect.
+    Deck,
     /// None of these.
     Unknown,
 }
@@ -35,13 +45,23 @@ pub fn detect_file(path: &Path) -> Result<FileKind, ConvertError> {
 /// ```
 /// use ypsilon_converters::detect::{FileKind, detect};
 /// assert_eq!(detect(b"+0.0000000000e+00 +0.0000000000e+00\n"), FileKind::History);
-/// assert_eq!(detect(b"/YD/YDC/MCSTEP 600\n"), FileKind::Unknown);
+/// assert_eq!(detect(b"$MeshFormat\n4.1 0 8\n"), FileKind::Gmsh);
+/// assert_eq!(detect(b"/* wall */ /YD/YDC/MCSTEP 600\n"), FileKind::Deck);
+/// assert_eq!(detect(b"time,value\n"), FileKind::Unknown);
 /// ```
 pub fn detect(head: &[u8]) -> FileKind {
     if is_d3plot(head) {
         FileKind::D3plot
     } else if is_history(head) {
         FileKind::History
+    } else if is_ym(head) {
+        FileKind::Ym
+    } else if head.trim_ascii_start().starts_with(b"$MeshFormat") {
+        FileKind::Gmsh
+    } else if is_vtk(head) {
+        FileKind::VtkSeries
+    } else if is_deck(head) {
+        if goes_on(head) { FileKind::RestartDeck } else { FileKind::Deck }
     } else {
         FileKind::Unknown
     }
@@ -94,4 +114,23 @@ fn is_history(head: &[u8]) -> bool {
     line.first().is_some_and(|&b| matches!(b, b'+' | b'-'))
         && line.len() < 100
         && History::parse(line).is_ok_and(|history| history.points.len() == 1)
+}
+
+/// The opening tag of a VTK file of Y-Geo: poly data or an unstructured grid of version 0.1.
+fn is_vtk(head: &[u8]) -> bool {
+    let head = String::from_utf8_lossy(head).replace('"', "'");
+    let tag = head.split_once("<VTKFile").and_then(|(_, rest)| rest.split_once('>'));
+    tag.is_some_and(|(tag, _)| {
+        (tag.contains("type='PolyData'") || tag.contains("type='UnstructuredGrid'"))
+            && tag.contains("version='0.1'")
+    })
+}
+
+/// The deck gives a first step above 0.
+fn goes_on(head: &[u8]) -> bool {
+    let mut words = head.split(u8::is_ascii_whitespace).filter(|word| !word.is_empty());
+    words.any(|word| word == b"/YD/YDC/NCSTEP")
+        && words.next().is_some_and(|number| {
+            std::str::from_utf8(number).ok().and_then(|n| n.parse::<i64>().ok()).unwrap_or(0) > 0
+        })
 }

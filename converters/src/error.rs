@@ -15,7 +15,11 @@ pub enum ConvertError {
         source: io::Error,
     },
     /// The content is of no kind that can be converted.
-    #[error("{path} is neither a d3plot family nor a history", path = path.display())]
+    #[error(
+        "{path} is of no kind that can be converted; known are d3plot families, `.ym` snapshots, \
+         `.yh` histories, Gmsh meshes, Y-Geo's VTK files and decks",
+        path = path.display()
+    )]
     Unrecognised {
         /// The file.
         path: PathBuf,
@@ -57,6 +61,81 @@ pub enum ConvertError {
         /// Number of nodes.
         nodes: usize,
     },
+    /// The Gmsh mesh cannot be read or makes no deck.
+    #[error("{path}: {source}", path = path.display())]
+    Gmsh {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: crate::gmsh::GmshError,
+    },
+    /// The deck cannot be converted to another dialect.
+    #[error("{path}: {source}", path = path.display())]
+    Dialect {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: crate::dialects::DialectError,
+    },
+    /// An input of this kind does not become what is asked for.
+    #[error("{path} cannot become {to}; inputs of its kind become {becomes}", path = path.display())]
+    Unsuitable {
+        /// The file.
+        path: PathBuf,
+        /// What it can become.
+        becomes: &'static str,
+        /// What is asked for.
+        to: &'static str,
+    },
+    /// A deck where results are expected.
+    #[error(
+        "{path} is an input deck; `--to deck --dialect NAME` converts it to another dialect, \
+         `ypsilon run` runs it",
+        path = path.display()
+    )]
+    DeckAlone {
+        /// The file.
+        path: PathBuf,
+    },
+    /// Two inputs would become the same file.
+    #[error(
+        "{} and {} would both become {}; convert them into different folders",
+        inputs[0].display(),
+        inputs[1].display(),
+        output.display()
+    )]
+    SameOutput {
+        /// The inputs.
+        inputs: [PathBuf; 2],
+        /// What both would become.
+        output: PathBuf,
+    },
+    /// There is a deck of that name, which somebody may have changed by hand.
+    #[error(
+        "{path} exists and is not replaced; move it away or choose another folder with --out",
+        path = path.display()
+    )]
+    DeckExists {
+        /// The file.
+        path: PathBuf,
+    },
+    /// A VTK file whose name does not say which step it shows.
+    #[error(
+        "{path}: the name has no step number; expected names such as wall.y_300.vtp",
+        path = path.display()
+    )]
+    SeriesName {
+        /// The file.
+        path: PathBuf,
+    },
+    /// The VTK file cannot be read.
+    #[error("{path}: {message}", path = path.display())]
+    Vtk {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        message: String,
+    },
     /// An element names a node that does not exist.
     #[error("element {element} names node {node}, but nodes run from 1 to {nodes}")]
     NoSuchNode {
@@ -85,4 +164,12 @@ pub enum ConvertError {
 /// Adds the path to an error of the operating system.
 pub(crate) fn at(path: &Path) -> impl Fn(io::Error) -> ConvertError + '_ {
     |source| ConvertError::Io { path: path.to_path_buf(), source }
+}
+
+/// Decks are never replaced: people edit them.
+pub(crate) fn no_deck_there(path: &Path) -> Result<(), ConvertError> {
+    if path.exists() {
+        return Err(ConvertError::DeckExists { path: path.to_path_buf() });
+    }
+    Ok(())
 }

@@ -43,12 +43,25 @@ fn snapshots_are_recognised() {
     assert!(is_ym(&fs::read(folder.join("g_joint_pair4.ym")).unwrap()));
     for text in [&b"CODED"[..], b"CODED\r\n"] {
         assert!(is_ym(text));
+        assert_eq!(detect(text), FileKind::Ym);
     }
 }
 
 #[test]
+fn texts_are_told_apart() {
+    let deck = "/* a deck */\n/YD/YDC/MCSTEP 600\n".repeat(50);
+    assert_eq!(detect(deck.as_bytes()), FileKind::Deck);
+    assert_eq!(detect(b"$MeshFormat\n2.2 0 8\n"), FileKind::Gmsh);
+    let vtk =
+        "<?xml version='1.0'?>\n<VTKFile type='PolyData' version='0.1' byte_order='x'><PolyData>";
+    assert_eq!(detect(vtk.as_bytes()), FileKind::VtkSeries);
+}
+
+#[test]
 fn other_files_are_unknown() {
-    for bytes in [&b""[..], b"\n", b"time,value\n", b"CODEDX\n", &[0; 256], &[0xff; 256]] {
+    let ours = b"<?xml version=\"1.0\"?>\n<VTKFile type=\"UnstructuredGrid\" version=\"1.0\">";
+    let texts = [&b""[..], b"\n", b"time,value\n", b"/* /YD/", b"CODEDX\n", ours];
+    for bytes in texts.into_iter().chain([&[0; 256][..], &[0xff; 256]]) {
         assert_eq!(detect(bytes), FileKind::Unknown);
         assert!(!is_ym(bytes) && !is_deck(bytes));
     }

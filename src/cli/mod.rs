@@ -36,7 +36,8 @@ enum Command {
     Run(run::RunArguments),
     /// Check a deck without running it
     Check(check::CheckArguments),
-    /// Convert d3plot families to VTU/PVD and histories to CSV
+    /// Convert results to VTU, PVD and CSV, meshes to decks, decks to other dialects
+    #[command(after_help = convert::HELP)]
     Convert(convert::ConvertArguments),
     /// List the deck keywords of a dialect with their meaning
     Keywords(keywords::KeywordArguments),

@@ -7,6 +7,7 @@ use crate::{
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{
     io::{IsTerminal, stderr},
+    path::{Path, PathBuf},
     time::Duration,
 };
 use yformat::{
@@ -22,11 +23,18 @@ pub(super) struct Screen {
     is_terminal: bool,
     /// Whether the heading of the table stands on the screen: once for all stages.
     has_heading: bool,
+    /// The checkpoint written last, and its step.
+    checkpoint: Option<(PathBuf, u64)>,
 }
 
 impl Screen {
     pub fn new() -> Self {
-        Self { bar: None, is_terminal: stderr().is_terminal(), has_heading: false }
+        Self {
+            bar: None,
+            is_terminal: stderr().is_terminal(),
+            has_heading: false,
+            checkpoint: None,
+        }
     }
 
     fn print(&self, line: &str) {
@@ -110,6 +118,10 @@ impl Observer for Screen {
         }
     }
 
+    fn checkpoint(&mut self, path: &Path, step: u64) {
+        self.checkpoint = Some((path.to_path_buf(), step));
+    }
+
     fn wants_stop(&self) -> bool {
         interrupt::is_requested()
     }
@@ -133,6 +145,10 @@ impl Observer for Screen {
         if summary.broken_joints > 0 {
             let plural = if summary.broken_joints == 1 { "joint has" } else { "joints have" };
             say(&format!("{} {plural} failed", summary.broken_joints));
+        }
+        if let Some(file) = &self.checkpoint {
+            let step = file.1;
+            say(&format!("{}: go on from step {step} with --resume", file.0.display()));
         }
         let more = summary.files.len().saturating_sub(1);
         if let Some(file) = summary.files.first() {

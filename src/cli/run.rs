@@ -1,7 +1,11 @@
 use super::{Exit, console::warn, deck_report, interrupt, progress::Screen};
 use crate::{
+    output::OutputNames,
     scene::Profile,
-    session::{Format, RunError, RunOptions, StopReason, load, run},
+    session::{
+        Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
+        StopReason, load, run_with,
+    },
     simulation::SolverOptions,
 };
 use clap::{Args, ValueEnum};
@@ -17,8 +21,9 @@ pub(super) struct RunArguments {
     #[arg(long = "out", value_name = "DIR", default_value = ".")]
     folder: PathBuf,
     /// Result files to write
-    #[arg(long, value_delimiter = ',', value_name = "LIST", default_value = "native,vtu")]
-    formats: Vec<Format>,
+    /// [default: native,vtu; with --resume those of the earlier run]
+    #[arg(long, value_delimiter = ',', value_name = "LIST")]
+    formats: Option<Vec<Format>>,
     /// Threads to compute with; results do not depend on it [default: all cores]
     #[arg(long, value_name = "N")]
     threads: Option<usize>,
@@ -28,16 +33,30 @@ pub(super) struct RunArguments {
     /// Write the full-precision state after so many completed steps, as text
     #[arg(long, value_delimiter = ',', value_name = "N,N,...")]
     states: Vec<u64>,
+    /// Write DECK.checkpoint when the run ends, also when Ctrl-C or --steps ends it:
+    /// --resume goes on from there
+    #[arg(long)]
+    checkpoint: bool,
+    /// The same, and after every N steps (for runs that may be killed)
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
+    checkpoint_every: Option<u64>,
+    /// Go on from a checkpoint of the same deck and version, in the folder of its results
+    /// (DECK.checkpoint there, if no file is given): all results are as if the run had
+    /// never stopped. Of the deck only MCSTEP may have changed, to make a finished run
+    /// longer. Writes checkpoints like --checkpoint
+    #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
+    resume: Option<Option<PathBuf>>,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
-    #[arg(long)]
+    #[arg(long, conflicts_with = "resume")]
     legacy_d3plot: bool,
     /// Take the deck for one of this dialect instead of recognising it
-    #[arg(long, value_name = "NAME", value_parser = parse_dialect)]
+    #[arg(long, value_name = "NAME", value_parser = parse_dialect, conflicts_with = "resume")]
     dialect: Option<Dialect>,
     /// Program to follow where the two originals of the split dialect differ
-    #[arg(long, value_enum, default_value_t = ProfileName::Windows)]
-    profile: ProfileName,
+    /// [default: windows]
+    #[arg(long, value_enum, conflicts_with = "resume")]
+    profile: Option<ProfileName>,
     /// Evaluate every couple in every step (slower, same results)
     #[arg(long, hide_short_help = true)]
     no_skip: bool,
@@ -71,6 +90,41 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
     })
 }
 
+impl RunArguments {
+    /// The checkpoint to go on from.
+    fn earlier(&self) -> Result<Option<Checkpoint>, CheckpointError> {
+        let file = |given: &Option<PathBuf>| {
+            let own = || OutputNames::new(&self.deck, &self.folder).checkpoint();
+            given.clone().unwrap_or_else(own)
+        };
+        self.resume.as_ref().map(|given| Checkpoint::read(&file(given))).transpose()
+    }
+
+    /// What is asked for; what is not said is as in the earlier run.
+    fn settings(&self, earlier: Option<&Checkpoint>) -> RunSettings {
+        let given = |dialect: Dialect| dialect.name().to_owned();
+        let profile = self.profile.map(Profile::from);
+        match earlier.map(Checkpoint::settings) {
+            None => RunSettings {
+                formats: self.formats.clone().unwrap_or(vec![Format::Native, Format::Vtu]),
+                states: self.states.clone(),
+                legacy_d3plot: self.legacy_d3plot,
+                profile: profile.unwrap_or_default(),
+                dialect: self.dialect.map(given),
+            },
+            Some(earlier) => RunSettings {
+                formats: self.formats.clone().unwrap_or_else(|| earlier.formats.clone()),
+                states: match self.states.is_empty() {
+                    true => earlier.states.clone(),
+                    false => self.states.clone(),
+                },
+                // what decides about bits is not to be changed halfway
+                ..earlier.clone()
+            },
+        }
+    }
+}
+
 /// Runs a deck.
 pub(super) fn main(arguments: &RunArguments) -> Exit {
     if let Some(threads) = arguments.threads {
@@ -83,9 +137,14 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
             return Exit::Usage;
         }
     }
+    let resume = match arguments.earlier() {
+        Ok(resume) => resume,
+        Err(error) => return report_failure(&error.into()),
+    };
+    let settings = arguments.settings(resume.as_ref());
+    let dialect = settings.dialect.as_deref().and_then(|name| name.parse::<Dialect>().ok());
     let solver = SolverOptions { skip_separated_couples: !arguments.no_skip };
-    let profile = Profile::from(arguments.profile);
-    let loaded = match load(&arguments.deck, arguments.dialect, profile, solver) {
+    let loaded = match load(&arguments.deck, dialect, settings.profile, solver) {
         Ok(loaded) => loaded,
         Err(fault) => return deck_report::print_fault(&fault, arguments.quiet),
     };
@@ -93,16 +152,23 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
     let options = RunOptions {
         deck: arguments.deck.clone(),
         folder: arguments.folder.clone(),
-        formats: arguments.formats.clone(),
-        states: arguments.states.clone(),
+        formats: settings.formats,
+        states: settings.states,
         steps: arguments.steps,
-        legacy_d3plot: arguments.legacy_d3plot,
-        profile,
+        legacy_d3plot: settings.legacy_d3plot,
+        profile: settings.profile,
+    };
+    let every = arguments.checkpoint_every;
+    let checkpoints = Checkpoints {
+        at_end: arguments.checkpoint || every.is_some() || resume.is_some(),
+        every,
+        dialect: settings.dialect,
+        resume,
     };
     let outcome = if arguments.quiet {
-        run(loaded, &options, &mut Quiet)
+        run_with(loaded, &options, checkpoints, &mut Quiet)
     } else {
-        run(loaded, &options, &mut Screen::new())
+        run_with(loaded, &options, checkpoints, &mut Screen::new())
     };
     match outcome {
         Ok(summary) if summary.stop == StopReason::Interrupted => Exit::Interrupted,
@@ -128,6 +194,6 @@ fn report_failure(error: &RunError) -> Exit {
     match error {
         RunError::Output(_) => Exit::Output,
         RunError::Unstable { .. } => Exit::Unstable,
-        RunError::Stage { .. } => Exit::Input,
+        RunError::Stage { .. } | RunError::Checkpoint(_) => Exit::Input,
     }
 }

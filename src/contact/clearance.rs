@@ -157,7 +157,10 @@ impl<'a> Couple<'a> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::{Couple, Motion, PairProperties, Proximity, Shape, SideForces, overlap};
+    use crate::{
+        contact::{Couple, Motion, Proximity, Shape, SideForces, overlap},
+        scene::PairProperties,
+    };
     use proptest::prelude::*;
 
     fn unit(at: Vec2) -> [Vec2; 3] {
@@ -247,7 +250,7 @@ mod tests {
                 drop_distance_squared: 4.0 * buffer * buffer,
             };
             let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
-            let proximity = overlap(&couple, &mut sliding, &mut sides);
+            let proximity = overlap(&couple, &mut { couple.pair }, &mut sliding, &mut sides);
             if free > 0.0 {
                 prop_assert_eq!(proximity, Proximity::Clear);
                 prop_assert_eq!(sliding, [0.0; 6]);

@@ -8,10 +8,12 @@
 //! and reproduced here. Memory grows with the couples in use, not with the
 //! capacity that the deck declares.
 
+use serde::{Deserialize, Serialize};
+
 const NONE: u32 = u32::MAX;
 
 /// A couple in its slot.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 struct Slot {
     target: u32,
     next: u32,
@@ -21,7 +23,7 @@ struct Slot {
 }
 
 /// Couples chained per contactor (the higher element number of a pair).
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct CoupleList {
     /// Newest couple of each contactor.
     first: Vec<u32>,
@@ -99,6 +101,41 @@ impl CoupleList {
         self.slots[slot as usize].rest = path;
     }
 
+    /// Whether the list is one of so many elements: every slot is in one chain or free.
+    ///
+    /// # Errors
+    /// With what is wrong.
+    pub fn check(&self, elements: usize) -> Result<(), &'static str> {
+        if self.first.len() != elements {
+            return Err("the couples are of another number of elements");
+        }
+        let mut seen = vec![false; self.slots.len()];
+        let mut visit = |slot: u32| -> Result<Slot, &'static str> {
+            let entry = self.slots.get(slot as usize).ok_or("a couple has no slot")?;
+            if std::mem::replace(&mut seen[slot as usize], true) {
+                return Err("a slot belongs to two couples");
+            }
+            Ok(*entry)
+        };
+        for &first in &self.first {
+            let mut slot = first;
+            while slot != NONE {
+                let couple = visit(slot)?;
+                if couple.target as usize >= elements {
+                    return Err("a couple has no target");
+                }
+                slot = couple.next;
+            }
+        }
+        for &free in &self.free {
+            visit(free)?;
+        }
+        if seen.contains(&false) {
+            return Err("a slot is neither free nor a couple's");
+        }
+        Ok(())
+    }
+
     /// Wakes all couples.
     pub fn wake_all(&mut self) {
         for slot in &mut self.slots {
@@ -143,6 +180,7 @@ impl CoupleList {
             debug_assert_ne!(before, NONE, "couple is not in its contactor's chain");
             self.slots[before as usize].next = next;
         }
+        self.slots[slot as usize].rest = 0.0;
         self.free.push(slot);
     }
 }

@@ -13,6 +13,7 @@ use crate::{
     mechanics::Vec2,
     scene::{FrictionModel, JointKind, PairProperties},
 };
+use serde::{Deserialize, Serialize};
 
 /// Angle that friction along a rough fracture never exceeds, degrees.
 const STEEPEST: f64 = 85.0;
@@ -35,7 +36,7 @@ pub trait FractureFaces {
 }
 
 /// Contact forces summed by element, for snapshots.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Tally {
     /// Tangential force on each element, N.
     pub sliding_force: Vec<f64>,

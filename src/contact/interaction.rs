@@ -14,9 +14,10 @@ use crate::{
     mechanics::Vec2,
     scene::{ChainAfterDrop, ContactSettings, ElementKind, Elements, Material, Nodes, Scene},
 };
+use serde::{Deserialize, Serialize};
 
 /// How much contact work was done since the start.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct CoupleWork {
     /// Detections.
     pub detections: u64,
@@ -28,7 +29,23 @@ pub struct CoupleWork {
     pub most_couples: usize,
 }
 
-/// Contact state of a simulation.
+/// More contacts than any run evaluates.
+const MOST_COUNTED: u64 = 1 << 60;
+
+/// What contact keeps from step to step.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct ContactState {
+    couples: CoupleList,
+    /// Evaluations before each couple is asked again whether it may rest, in their order.
+    patience: Vec<u8>,
+    travel: f64,
+    path: f64,
+    advance: f64,
+    rests: bool,
+    work: CoupleWork,
+}
+
+/// Contact of a simulation.
 #[derive(Debug, Clone)]
 pub struct Contact {
     settings: ContactSettings,
@@ -118,6 +135,15 @@ impl Contact {
 
     /// Takes over changed elements and materials.
     pub fn rebuild(&mut self, scene: &Scene) {
+        self.take_over(scene);
+        self.couples.resize(scene.elements.len());
+        self.visits.store(&mut self.couples);
+        self.couples.wake_all();
+        self.list_couples(&scene.elements);
+    }
+
+    /// Takes over what does not depend on the couples.
+    fn take_over(&mut self, scene: &Scene) {
         let Scene { elements, materials, .. } = scene;
         self.pairs = PairTable::new(materials, &self.settings.pairs)
             .with_fractures(scene.fracture_network.as_ref());
@@ -131,13 +157,50 @@ impl Contact {
         }
         self.moving_nodes.sort_unstable();
         self.moving_nodes.dedup();
-        self.couples.resize(elements.len());
-        self.visits.store(&mut self.couples);
-        self.couples.wake_all();
         // a rigid triangle's nodes may move further than their velocities tell
         let jumps = |m: &Material| m.kind == ElementKind::RigidTriangle || m.is_excavated;
         self.rests &= !materials.iter().any(jumps);
-        self.list_couples(elements);
+    }
+
+    /// Everything that steps change and that does not follow from the scene.
+    #[must_use]
+    pub fn state(&self) -> ContactState {
+        let mut couples = self.couples.clone();
+        self.visits.store(&mut couples);
+        ContactState {
+            couples,
+            patience: self.visits.list.iter().map(|visit| visit.patience).collect(),
+            travel: self.travel,
+            path: self.path,
+            advance: self.advance,
+            rests: self.rests,
+            work: self.work,
+        }
+    }
+
+    /// Goes on with the state of an earlier run for the same scene.
+    ///
+    /// # Errors
+    /// If the state is not one of this scene; contact is of no use then.
+    pub fn restore(&mut self, state: ContactState, scene: &Scene) -> Result<(), &'static str> {
+        let ContactState { couples, patience, travel, path, advance, rests, work } = state;
+        couples.check(scene.elements.len())?;
+        let counts = [work.detections, work.evaluated, work.rested];
+        if counts.into_iter().any(|count| count > MOST_COUNTED) {
+            return Err("a count of contacts is too large");
+        }
+        (self.travel, self.path, self.advance, self.work) = (travel, path, advance, work);
+        self.rests &= rests;
+        self.take_over(scene);
+        self.couples = couples;
+        self.list_couples(&scene.elements);
+        if patience.len() != self.visits.list.len() {
+            return Err("the couples are not those of the elements");
+        }
+        for (visit, patience) in self.visits.list.iter_mut().zip(patience) {
+            visit.patience = patience;
+        }
+        Ok(())
     }
 
     /// Accumulates travel and detects when it has used up the buffer.

@@ -20,6 +20,6 @@ pub use couples::CoupleList;
 pub use detection::{Detector, Participants};
 pub use friction::PairTable;
 pub use in_order::{FractureFace, FractureFaces, Tally};
-pub use interaction::{Contact, CoupleWork};
+pub use interaction::{Contact, ContactState, CoupleWork};
 pub use overlap2::{Couple, EdgeContact, Proximity, SideForces, TangentialLaw, overlap};
 pub use placement::{AreaCoordinates, Lanes, Motion, Shape};

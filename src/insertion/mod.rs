@@ -9,6 +9,7 @@ mod refine;
 mod trace;
 
 use crate::scene::{Elements, FractureNetwork, Insertion, Material, Nodes, Scene};
+use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
 /// Number of passes, enough for the digits of any code.
@@ -59,7 +60,7 @@ pub fn room_needed(scene: &Scene) -> Option<Room> {
 }
 
 /// What the passes did.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
 pub struct InsertionReport {
     /// Digits executed.
     pub executed: usize,
@@ -116,6 +117,18 @@ pub fn execute(
     materials: &mut [Material],
     network: Option<&FractureNetwork>,
 ) -> Result<InsertionReport, CapacityError> {
+    name_joint_sets(insertion, materials);
+    let mut report = InsertionReport::default();
+    let mut codes: Vec<i64> = insertion.combinations.iter().map(|c| c.code).collect();
+    for _ in 0..PASSES {
+        execute_pass(&mut codes, insertion, nodes, elements, materials, network, &mut report)?;
+    }
+    use_up(insertion);
+    Ok(report)
+}
+
+/// Gives each material the joint set that the table names for its inside.
+fn name_joint_sets(insertion: &Insertion, materials: &mut [Material]) {
     for pair in &insertion.pairs {
         let [p, q] = pair.materials;
         let inside = usize::try_from(p).ok().filter(|_| p == q);
@@ -123,15 +136,18 @@ pub fn execute(
             material.joint_set = pair.joint_set;
         }
     }
-    let mut report = InsertionReport::default();
-    let mut codes: Vec<i64> = insertion.combinations.iter().map(|c| c.code).collect();
-    for _ in 0..PASSES {
-        execute_pass(&mut codes, insertion, nodes, elements, materials, network, &mut report)?;
-    }
+}
+
+fn use_up(insertion: &mut Insertion) {
     for combination in &mut insertion.combinations {
         combination.code = 0;
     }
-    Ok(report)
+}
+
+/// What [`execute`] leaves behind besides the mesh, for a mesh that has been changed already.
+pub fn skip(insertion: &mut Insertion, materials: &mut [Material]) {
+    name_joint_sets(insertion, materials);
+    use_up(insertion);
 }
 
 fn execute_pass(

@@ -47,12 +47,22 @@ pub enum StressLaw {
     Linear(LinearElasticity),
 }
 
+impl StressLaw {
+    /// The elastic part of the law.
+    #[must_use]
+    pub fn without_viscosity(self) -> Self {
+        match self {
+            Self::NeoHookean(law) => Self::NeoHookean(Elasticity { viscosity: 0.0, ..law }),
+            Self::Linear(law) => Self::Linear(LinearElasticity { viscosity: 0.0, ..law }),
+        }
+    }
+}
+
 impl LinearElasticity {
     /// Cauchy stress, Pa.
     #[must_use]
     fn stress(&self, kinematics: &Kinematics) -> Matrix2<f64> {
-        let b = &kinematics.left_cauchy_green;
-        let strain = Matrix2::from_fn(|i, j| 0.5 * b[(i, j)] - if i == j { 0.5 } else { 0.0 });
+        let strain = kinematics.strain();
         let rate = &kinematics.rate_of_deformation;
         Matrix2::from_fn(|i, j| {
             let elastic = if i == j {
@@ -118,6 +128,13 @@ impl Kinematics {
             }),
             double_area,
         }
+    }
+
+    /// Strain ½(B − I), as Y takes it.
+    #[must_use]
+    pub fn strain(&self) -> Matrix2<f64> {
+        let b = &self.left_cauchy_green;
+        Matrix2::from_fn(|i, j| 0.5 * b[(i, j)] - if i == j { 0.5 } else { 0.0 })
     }
 
     /// Shear and viscous part of the Cauchy stress, (μ/J)(B − I) + η D.
@@ -239,7 +256,8 @@ mod tests {
     use super::*;
 
     const ELASTICITY: Elasticity =
-        Elasticity { lame_lambda: 2e9, shear_modulus: 3e9, viscosity: 1e4 };
+        Elasticity { lame_lambda: 2e9, shear_modulus: 3e9, viscosity: 1e4, volumetric_share: 0.5 };
+    const LAW: StressLaw = StressLaw::NeoHookean(ELASTICITY);
 
     fn unit_triangle() -> ReferenceShape {
         ReferenceShape::new(&[Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(0.0, 1.0)])
@@ -250,7 +268,7 @@ mod tests {
     fn forces_equal_the_worked_example() {
         let corners = [Vec2::new(0.0, 0.0), Vec2::new(1.01, 0.002), Vec2::new(-0.003, 0.99)];
         let velocities = [Vec2::new(0.1, 0.0), Vec2::new(0.0, 0.2), Vec2::new(-0.3, 0.1)];
-        let stress = cauchy_stress(&ELASTICITY, &unit_triangle(), &corners, &velocities);
+        let stress = cauchy_stress(&LAW, &unit_triangle(), &corners, &velocities);
         let close = |a: f64, b: f64| assert!((a - b).abs() <= 1e-14 * b.abs(), "{a} against {b}");
         close(stress[(0, 0)], 60_143_680.341_951_9);
         close(stress[(0, 1)], -2_851_300.522_249_09);
@@ -262,12 +280,56 @@ mod tests {
         close(unit_triangle().nodal_mass(2500.0), 416.666_666_666_667);
     }
 
+    /// Worked example A of spec `mechanics.md` 10: λ acts whole, and the linear
+    /// laws of Y-Geo.
+    #[test]
+    fn stresses_equal_the_worked_example_of_the_other_dialects() {
+        let shape = [Vec2::new(0.0, 0.0), Vec2::new(2.0, 0.0), Vec2::new(0.5, 1.0)];
+        let reference = ReferenceShape::new(&shape);
+        let corners = [Vec2::new(0.0, 0.0), Vec2::new(2.01, 0.02), Vec2::new(0.48, 1.03)];
+        let velocities = [Vec2::zeros(), Vec2::new(0.1, -0.2), Vec2::new(0.3, 0.05)];
+        let (young, poisson, viscosity) = (1e8, 0.25, 2e3);
+        let shear = young / (1.0 + poisson);
+        let neo_hookean = StressLaw::NeoHookean(Elasticity {
+            lame_lambda: 4e7,
+            shear_modulus: 3e7,
+            viscosity,
+            volumetric_share: 1.0,
+        });
+        let plane_stress = StressLaw::Linear(LinearElasticity {
+            stiffness: [young / (1.0 - poisson * poisson); 2],
+            own: [1.0; 2],
+            cross: [poisson; 2],
+            shear,
+            viscosity,
+        });
+        let plane_strain = StressLaw::Linear(LinearElasticity {
+            stiffness: [young / ((1.0 + poisson) * (1.0 - 2.0 * poisson)); 2],
+            own: [1.0 - poisson; 2],
+            cross: [poisson; 2],
+            shear,
+            viscosity,
+        });
+        for (law, expected) in [
+            (neo_hookean, [2_698_965.788_324_355, -378_707.235_405_443_7, 3_869_356.432_280_312]),
+            (plane_stress, [1_238_094.142_767_007, -520_331.125_345_754_9, 2_845_940.711_894_031]),
+            (plane_strain, [1_646_469.142_767_007, -520_331.125_345_754_9, 3_254_315.711_894_031]),
+        ] {
+            let stress = cauchy_stress(&law, &reference, &corners, &velocities);
+            for (value, expected) in
+                [stress[(0, 0)], stress[(0, 1)], stress[(1, 1)]].into_iter().zip(expected)
+            {
+                assert!((value - expected).abs() <= 1e-14 * expected.abs(), "{value} {expected}");
+            }
+        }
+    }
+
     /// Simple shear γ keeps J = 1: T_xx = μγ², T_xy = μγ, all else 0.
     #[test]
     fn simple_shear_has_the_closed_form_stress() {
         let gamma = 0.25;
         let corners = [Vec2::new(0.0, 0.0), Vec2::new(1.0, 0.0), Vec2::new(gamma, 1.0)];
-        let stress = cauchy_stress(&ELASTICITY, &unit_triangle(), &corners, &[Vec2::zeros(); 3]);
+        let stress = cauchy_stress(&LAW, &unit_triangle(), &corners, &[Vec2::zeros(); 3]);
         let mu = ELASTICITY.shear_modulus;
         assert!((stress[(0, 0)] - mu * gamma * gamma).abs() < 1e-6);
         assert!((stress[(0, 1)] - mu * gamma).abs() < 1e-6);
@@ -280,7 +342,7 @@ mod tests {
         let (s, c) = 0.7f64.sin_cos();
         let corners =
             [Vec2::new(2.0, 1.0), Vec2::new(2.0 + c, 1.0 + s), Vec2::new(2.0 - s, 1.0 + c)];
-        let stress = cauchy_stress(&ELASTICITY, &unit_triangle(), &corners, &[Vec2::zeros(); 3]);
+        let stress = cauchy_stress(&LAW, &unit_triangle(), &corners, &[Vec2::zeros(); 3]);
         assert!(stress.amax() < 1e-5, "{stress}");
     }
 }

@@ -1,15 +1,20 @@
 //! d3plot family of a run (spec `y2d3d.md` G.2).
 
 use super::{
-    OutputError, OutputNames, ResultWriter,
+    FilePosition, OutputError, OutputNames, ResultWriter, decode,
     elements::{is_joint, material_number, original_material_number, shown_elements},
+    encode,
 };
-use crate::simulation::Simulation;
+use crate::{scene::Scene, simulation::Simulation};
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use yformat::d3plot::{
-    ControlBlock, Counts, FamilyWriter, Geometry, NodeVectors, Shell, StartDate, StateView,
-    Stresses, Title, states_per_file,
+    ControlBlock, Counts, FamilyMark, FamilyWriter, Geometry, NodeVectors, Shell, StartDate,
+    StateView, Stresses, Title, WriteError, states_per_file,
 };
+
+/// What `--formats` calls the files.
+const KIND: &str = "d3plot";
 
 /// Writes the d3plot family, opened at the first state.
 pub struct D3plotOutput {
@@ -21,6 +26,7 @@ pub struct D3plotOutput {
 
 struct Family {
     writer: FamilyWriter,
+    per_file: u64,
     elements: Vec<usize>,
     /// Nodes announced in the control block; later ones have no place in the family.
     nodes: usize,
@@ -72,19 +78,86 @@ impl D3plotOutput {
         };
         let per_file = states_per_file(scene.nodes.len(), scene.elements.len());
         let writer = FamilyWriter::create(&self.names.d3plot(), control, &geometry, per_file)?;
-        Ok(Family {
-            writer,
-            elements,
-            nodes: scene.nodes.len(),
-            coordinates: Vec::new(),
-            velocities: Vec::new(),
-            stresses: Vec::new(),
-            deletion_table: Vec::new(),
+        Ok(Family::new(writer, per_file, elements, scene.nodes.len()))
+    }
+}
+
+/// What a later run needs to go on with a family.
+#[derive(Serialize, Deserialize)]
+struct OutputMark {
+    /// Day, month and year of the title.
+    start: (u8, u8, u16),
+    family: Option<Continuation>,
+}
+
+#[derive(Serialize, Deserialize)]
+struct Continuation {
+    control: Vec<u8>,
+    member: u32,
+    states_in_file: u64,
+    position: FilePosition,
+    per_file: u64,
+    elements: Vec<u32>,
+    nodes: u32,
+}
+
+impl Continuation {
+    fn of(family: &mut Family) -> Result<Self, OutputError> {
+        let mark = family.writer.mark()?;
+        Ok(Self {
+            control: mark.control.to_bytes().to_vec(),
+            member: mark.member,
+            states_in_file: mark.states_in_file,
+            position: mark.file.into(),
+            per_file: family.per_file,
+            elements: family.elements.iter().map(|&e| e as u32).collect(),
+            nodes: family.nodes as u32,
         })
+    }
+
+    /// The family, if the mark is one of the scene.
+    fn open(&self, names: &OutputNames, scene: &Scene) -> Result<Family, OutputError> {
+        let unusable = OutputError::Mark { kind: KIND };
+        let Ok(control) = <&[u8; ControlBlock::BYTES]>::try_from(self.control.as_slice()) else {
+            return Err(unusable);
+        };
+        let elements: Vec<usize> = self.elements.iter().map(|&e| e as usize).collect();
+        let nodes = self.nodes as usize;
+        if elements.iter().any(|&e| e >= scene.elements.len())
+            || nodes > scene.nodes.len()
+            || self.states_in_file > self.per_file.max(1)
+        {
+            return Err(unusable);
+        }
+        let mark = FamilyMark {
+            control: ControlBlock::from_bytes(control),
+            member: self.member,
+            states_in_file: self.states_in_file,
+            file: self.position.into(),
+        };
+        let writer = FamilyWriter::resume(&names.d3plot(), self.per_file, &mark);
+        let writer = writer.map_err(|error| match error {
+            WriteError::Io { path, source } => OutputError::Changed { path, source },
+            other => other.into(),
+        })?;
+        Ok(Family::new(writer, self.per_file, elements, nodes))
     }
 }
 
 impl Family {
+    fn new(writer: FamilyWriter, per_file: u64, elements: Vec<usize>, nodes: usize) -> Self {
+        Self {
+            writer,
+            per_file,
+            elements,
+            nodes,
+            coordinates: Vec::new(),
+            velocities: Vec::new(),
+            stresses: Vec::new(),
+            deletion_table: Vec::new(),
+        }
+    }
+
     fn write(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         let scene = simulation.scene();
         let fill = |to: &mut Vec<[f64; 2]>, from: &[nalgebra::Vector2<f64>]| {
@@ -125,6 +198,33 @@ impl ResultWriter for D3plotOutput {
         let written = family.write(simulation);
         self.family = Some(family);
         written
+    }
+
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let StartDate { day, month, year } = self.start;
+        let family = self.family.as_mut().map(Continuation::of).transpose()?;
+        encode(KIND, &OutputMark { start: (day, month, year), family })
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let mark: OutputMark = decode(KIND, mark)?;
+        let (day, month, year) = mark.start;
+        if day > 31 || month > 12 || year > 9999 {
+            return Err(OutputError::Mark { kind: KIND });
+        }
+        self.start = StartDate { day, month, year };
+        let open = |family: Continuation| family.open(names, simulation.scene());
+        self.family = mark.family.map(open).transpose()?;
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {

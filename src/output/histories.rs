@@ -1,6 +1,6 @@
 //! `.yh` histories of a run (spec `y2d3d.md` G.3, `outputs.md` 2 and 5.7).
 
-use super::{OutputError, OutputNames, ResultWriter};
+use super::{FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, mark::mark_of};
 use crate::{
     mechanics::Vec2,
     scene::{HistoryLines, Probe},
@@ -50,6 +50,12 @@ impl HistoryOutput {
         };
         let files = (0..simulation.scene().probes.len()).map(open).collect::<Result<_, _>>()?;
         Ok(Self { files })
+    }
+
+    /// Histories of an earlier run, to be gone on with.
+    #[must_use]
+    pub fn closed() -> Self {
+        Self { files: Vec::new() }
     }
 
     /// Writes a line of each history for which one `is_due`.
@@ -108,6 +114,38 @@ impl ResultWriter for HistoryOutput {
         }
         let now = simulation.time();
         self.lines(simulation, |index| simulation.probe_times()[index] == now)
+    }
+
+    fn kind(&self) -> &'static str {
+        "yh"
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let mark = |(path, file): &mut (PathBuf, BufWriter<PartFile>)| {
+            mark_of(file).map_err(OutputError::io(path.as_path()))
+        };
+        let positions = self.files.iter_mut().map(mark).collect::<Result<Vec<_>, _>>()?;
+        encode(self.kind(), &positions)
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let positions: Vec<FilePosition> = decode(self.kind(), mark)?;
+        if positions.len() != simulation.scene().probes.len() {
+            return Err(OutputError::Mark { kind: self.kind() });
+        }
+        let open = |(index, position): (usize, FilePosition)| -> Result<_, OutputError> {
+            let path = names.history(index);
+            let part = PartFile::resume(&path, &position.into());
+            let part = part.map_err(OutputError::changed(&path))?;
+            Ok((path, BufWriter::new(part)))
+        };
+        self.files = positions.into_iter().enumerate().map(open).collect::<Result<_, _>>()?;
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {

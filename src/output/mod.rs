@@ -9,25 +9,42 @@ mod d3plot;
 mod elements;
 mod error;
 mod histories;
+mod mark;
 mod names;
+mod restart_deck;
 mod run_table;
+mod snapshots;
 mod state_file;
 mod vtu;
+mod ygeo;
 
 pub use bodies::body_of_elements;
 pub use d3plot::D3plotOutput;
 pub use error::OutputError;
 pub use histories::HistoryOutput;
+pub use mark::{FilePosition, decode, encode, file_names, present};
 pub use names::OutputNames;
+pub use restart_deck::RestartDeckOutput;
 pub use run_table::{RunTable, TABLE_HEADER, table_row};
+pub use snapshots::SnapshotOutput;
 pub use state_file::{StateFileOutput, write_state};
 pub use vtu::VtuOutput;
+pub use ygeo::YGeoOutput;
 
 use crate::simulation::Simulation;
 use std::path::PathBuf;
+use yformat::{database::Database, deck::Deck};
 
 /// A kind of result file.
 pub trait ResultWriter {
+    /// Looks at the values of a stage of the deck before its first step.
+    ///
+    /// # Errors
+    /// If they cannot be written out.
+    fn begin_stage(&mut self, _deck: &Deck, _values: &Database) -> Result<(), OutputError> {
+        Ok(())
+    }
+
     /// Looks at the state after the forces of a step were evaluated and before
     /// the nodes move, and writes what is due at this step.
     ///
@@ -49,6 +66,47 @@ pub trait ResultWriter {
     /// # Errors
     /// If a file cannot be written.
     fn after_step(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
+        Ok(())
+    }
+
+    /// What the files are, as `--formats` calls them.
+    fn kind(&self) -> &'static str {
+        std::any::type_name::<Self>()
+    }
+
+    /// Complete files of a series of one file per state. A writer that needs nothing but their
+    /// list to go on with the series gives it here and is done with checkpoints.
+    fn series(&mut self) -> Option<&mut Vec<PathBuf>> {
+        None
+    }
+
+    /// What a later run needs to go on with the files from here; what has been written so far
+    /// is on the disk afterwards.
+    ///
+    /// # Errors
+    /// If the files cannot be gone on with, or the system cannot put them on the disk.
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let kind = self.kind();
+        match self.series() {
+            Some(files) => encode(kind, &file_names(kind, files)?),
+            None => Err(OutputError::NotResumable { kind }),
+        }
+    }
+
+    /// Goes on with the files of an earlier run, which [`Self::mark`] told about at the present
+    /// state of the simulation.
+    ///
+    /// # Errors
+    /// If the files are not as they were left.
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        _simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let kind = self.kind();
+        let files = self.series().ok_or(OutputError::NotResumable { kind })?;
+        *files = present(names, &decode::<Vec<String>>(kind, mark)?)?;
         Ok(())
     }
 

@@ -52,6 +52,44 @@ impl OutputNames {
         self.folder.join(format!("{}h{index}", self.deck))
     }
 
+    /// What the files of Y-Geo begin with: the whole name of the deck.
+    #[must_use]
+    pub fn prefix(&self) -> PathBuf {
+        self.folder.join(&self.deck)
+    }
+
+    /// Snapshot of the classic dialect.
+    #[must_use]
+    pub fn snapshot(&self, number: u64) -> PathBuf {
+        self.folder.join(format!("{}{number}.ym", self.stem()))
+    }
+
+    /// Restart deck of the classic dialect, written after the snapshot with this number.
+    #[must_use]
+    pub fn restart(&self, snapshot: u64) -> PathBuf {
+        self.folder.join(format!("{}{snapshot}_restart.y", self.stem()))
+    }
+
+    /// Mesh that the classic dialect writes beside a restart deck.
+    #[must_use]
+    pub fn mesh(&self) -> PathBuf {
+        self.folder.join(format!("{}.msh", self.stem()))
+    }
+
+    /// Contact forces of the classic dialect.
+    #[must_use]
+    pub fn contact_forces(&self) -> PathBuf {
+        self.folder.join("contactforce.txt")
+    }
+
+    /// Name up to the first dot, after which the classic dialect calls its files.
+    fn stem(&self) -> &str {
+        match self.deck.split('.').next() {
+            Some(stem) if !stem.is_empty() => stem,
+            _ => "ypsilon",
+        }
+    }
+
     /// The run's log.
     #[must_use]
     pub fn log(&self) -> PathBuf {
@@ -74,6 +112,12 @@ impl OutputNames {
     #[must_use]
     pub fn state(&self, steps: u64) -> PathBuf {
         self.folder.join(format!("{}.state_{steps}.txt", self.base))
+    }
+
+    /// Checkpoint that a later run can go on from.
+    #[must_use]
+    pub fn checkpoint(&self) -> PathBuf {
+        self.folder.join(format!("{}.checkpoint", self.base))
     }
 
     /// Machine-readable summary of the run.

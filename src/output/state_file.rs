@@ -44,6 +44,14 @@ impl ResultWriter for StateFileOutput {
         Ok(())
     }
 
+    fn kind(&self) -> &'static str {
+        "state"
+    }
+
+    fn series(&mut self) -> Option<&mut Vec<PathBuf>> {
+        Some(&mut self.written)
+    }
+
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
         Ok(self.written)
     }

@@ -4,12 +4,15 @@
 //! any, the joints (lines along their middle). Values are those of the step's
 //! force evaluation, in double precision.
 
-use super::{OutputError, OutputNames, ResultWriter, bodies::body_of_elements};
+use super::{
+    OutputError, OutputNames, ResultWriter, bodies::body_of_elements, decode, encode, present,
+};
 use crate::{
     mechanics::{Vec2, softening_triangle, triangle},
     scene::ElementKind,
     simulation::{JointView, Simulation, joint_views},
 };
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use ypsilon_converters::{
     stress_measures::{SymmetricTensor, plane, principal, tresca, von_mises},
@@ -19,10 +22,16 @@ use ypsilon_converters::{
 /// Name of the joint block in file names.
 const JOINTS: &str = "_joints";
 
+/// A file of the series: its time, its part of the picture with number and name, its name.
+#[derive(Serialize, Deserialize)]
+struct Entry(f64, u32, String, String);
+
 /// Writes a VTU file per block and output step, and the PVD after each step.
 pub struct VtuOutput {
     names: OutputNames,
     series: PvdSeries,
+    /// What the series holds.
+    entries: Vec<Entry>,
     files: Vec<PathBuf>,
 }
 
@@ -30,7 +39,12 @@ impl VtuOutput {
     /// Output named by `names`.
     #[must_use]
     pub fn new(names: &OutputNames) -> Self {
-        Self { names: names.clone(), series: PvdSeries::new(), files: Vec::new() }
+        Self {
+            names: names.clone(),
+            series: PvdSeries::new(),
+            entries: Vec::new(),
+            files: Vec::new(),
+        }
     }
 
     fn write(
@@ -42,9 +56,15 @@ impl VtuOutput {
         let path = self.names.vtu(part, simulation.step_index());
         write_vtu(&path, grid)?;
         let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        self.series.push(simulation.time(), number, label, file);
+        self.push(Entry(simulation.time(), number, label.to_owned(), file));
         self.files.push(path);
         Ok(())
+    }
+
+    fn push(&mut self, entry: Entry) {
+        let Entry(time, number, label, file) = &entry;
+        self.series.push(*time, *number, label, file);
+        self.entries.push(entry);
     }
 }
 
@@ -59,6 +79,33 @@ impl ResultWriter for VtuOutput {
             self.write((JOINTS, 1, "joints"), simulation, &joint_grid(simulation, &joints))?;
         }
         self.series.write(&self.names.pvd())?;
+        Ok(())
+    }
+
+    fn kind(&self) -> &'static str {
+        "vtu"
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        encode(self.kind(), &self.entries)
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        _simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        for entry in decode::<Vec<Entry>>(self.kind(), mark)? {
+            let Entry(time, number, label, file) = entry;
+            let mut path = present(names, std::slice::from_ref(&file))?;
+            self.files.append(&mut path);
+            self.push(Entry(time, number, label, file));
+        }
+        if !self.entries.is_empty() {
+            // the earlier run may have gone further
+            self.series.write(&names.pvd())?;
+        }
         Ok(())
     }
 

@@ -14,6 +14,17 @@ pub struct Control {
     pub gravity: f64,
     /// A result state is written at every step whose index is a multiple of this.
     pub output_interval: u64,
+    /// Another interval once joints have broken (Y-Geo).
+    pub refined_output: Option<RefinedOutput>,
     /// A row of the run table is written at every multiple of this step index.
     pub table_interval: u64,
+}
+
+/// Output interval of a scene in which joints have broken.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct RefinedOutput {
+    /// Steps from one state to the next.
+    pub interval: u64,
+    /// It counts once more joints than these are broken.
+    pub broken_joints: u64,
 }

@@ -79,6 +79,9 @@ pub struct Material {
     pub interface_friction: f64,
     /// Whether its elements are taken out of play (Y-Geo).
     pub is_excavated: bool,
+    /// Whether its present shape becomes the stress-free one before the next step
+    /// (Y-Geo: support is installed).
+    pub resets_shape: bool,
     /// Stretch beyond 1 at which a softening triangle reaches damage 1.
     pub softening_stretch: f64,
     /// Whether softening triangles may shrink away from their neighbours.

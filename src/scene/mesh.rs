@@ -1,8 +1,9 @@
 use nalgebra::SVector;
+use serde::{Deserialize, Serialize};
 
 /// What an element is to the joints: the codes are those of the classic deck
 /// (spec `deck.md` 3.2, I1ELTY).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum JointKind {
     /// A triangle, or an element of another type.
     #[default]
@@ -27,7 +28,7 @@ impl JointKind {
 }
 
 /// Nodal state in `D` dimensions, one entry per node in deck order.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Nodes<const D: usize> {
     /// Stress-free coordinates, m.
     pub initial: Vec<SVector<f64, D>>,
@@ -69,7 +70,7 @@ impl<const D: usize> Nodes<D> {
 }
 
 /// Elements in deck order: triangles and joints in one table.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct Elements {
     /// Rows of the deck's topology table: how many node numbers each element
     /// shows in state files.

@@ -19,14 +19,14 @@ mod snapshots;
 
 pub use boundary::{Condition, InSituStress, LoadHistory, LoadRamp, NodeSet};
 pub use contact::{ContactSettings, FrictionModel, PairProperties, PairRow, PairRule};
-pub use control::Control;
+pub use control::{Control, RefinedOutput};
 pub use conventions::{
     BROKEN_OFFSET, BondedPairs, ChainAfterDrop, CohesiveModel, ContactSelection, ContactSum,
     Conventions, ForceOrder, HistoryLines, Interfaces, OutputTime, Refresh, SPLIT_BROKEN,
     SPLIT_FREE_EDGE, VolumetricShare,
 };
 pub use fracture_network::{Fracture, FractureNetwork, FractureTreatment, SeismicMethod};
-pub use from_deck::{BuildOutcome, Profile, from_deck, update_scene};
+pub use from_deck::{BuildOutcome, Profile, from_deck, replay_settings, update_scene};
 pub use joint_restart::JointRestart;
 pub use materials::{
     CohesiveLaw, ElasticLaw, ElementKind, Isotropy, Layering, Material, TransverseIsotropy,

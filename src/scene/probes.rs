@@ -21,6 +21,8 @@ pub enum ProbeQuantity {
     ForceX,
     /// Nodal y force, N.
     ForceY,
+    /// Elastic energy of all triangles, J (Y-Geo).
+    StrainEnergy,
     /// A code that the original names or accepts but never updates.
     NeverUpdated(i64),
 }

@@ -1,15 +1,19 @@
 //! A run from deck to files: reads the deck, steps through its `$YDOIT`
 //! stages, and gives every output writer what it asks for.
 
+mod checkpoint;
 mod load;
 mod observer;
 mod restage;
+mod resume;
 mod run;
 mod summary;
+mod writers;
 
+pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
 pub use load::{DeckFault, LoadedDeck, load};
 pub use observer::{Observer, Progress, Silent};
-pub use run::{RunError, RunOptions, run};
+pub use run::{RunError, RunOptions, run, run_with};
 pub use summary::{RunSummary, StopReason};
 
 use serde::{Deserialize, Serialize};

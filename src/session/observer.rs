@@ -1,5 +1,6 @@
 use super::summary::RunSummary;
 use crate::simulation::Simulation;
+use std::path::Path;
 use yformat::{diagnostic::Diagnostic, source::SourceMap};
 
 /// Where a run stands.
@@ -32,6 +33,9 @@ pub trait Observer {
 
     /// Called now and then between rows.
     fn progress(&mut self, _progress: &Progress) {}
+
+    /// A checkpoint was written, at the step that comes next.
+    fn checkpoint(&mut self, _path: &Path, _step: u64) {}
 
     /// Whether the run is to end at the next step.
     fn wants_stop(&self) -> bool {

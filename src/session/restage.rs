@@ -3,15 +3,66 @@
 
 use super::load::anchored;
 use crate::{
-    scene::{Profile, update_scene},
+    scene::{Profile, replay_settings, update_scene},
     simulation::Simulation,
 };
+use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use yformat::{
     database::Database,
     deck::{Deck, Stage},
     diagnostic::Diagnostic,
 };
+
+/// Where a run stood when it entered a later stage.
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+pub(super) struct Entry {
+    pub step: u64,
+    pub time: f64,
+}
+
+impl Entry {
+    pub fn of(simulation: &Simulation) -> Self {
+        Self { step: simulation.step_index(), time: simulation.time() }
+    }
+}
+
+/// Applies the items of a later stage to the values; returns findings and the keywords named.
+fn apply(
+    deck: &Deck,
+    stage: &Stage,
+    database: &mut Database,
+    entry: Entry,
+) -> (Vec<Diagnostic>, BTreeSet<String>) {
+    // the step counter and the time are the program's own variables
+    database.set_integer("YDC/NCSTEP", i64::try_from(entry.step).unwrap_or(i64::MAX));
+    database.set_real("YDC/DCTIME", entry.time);
+    let mut findings = Vec::new();
+    let mut named = BTreeSet::new();
+    for item in stage.items.clone() {
+        findings.extend(database.apply(deck, item));
+        if let Some(assignment) = deck.item(item).and_then(|i| i.assignment()) {
+            named.insert(format!("{}/{}", assignment.keyword.database, assignment.keyword.name));
+        }
+    }
+    (findings, named)
+}
+
+/// Takes a simulation through a stage that an earlier run has passed, up to its settings; the
+/// state comes from a checkpoint.
+pub(super) fn replay(
+    deck: &Deck,
+    stage: &Stage,
+    database: &mut Database,
+    simulation: &mut Simulation,
+    entry: Entry,
+    profile: Profile,
+) {
+    let (_, named) = apply(deck, stage, database, entry);
+    let mut scene = simulation.scene().clone();
+    replay_settings(deck, database, &mut scene, &named, profile);
+    simulation.replay_stage(scene);
+}
 
 /// Applies the items of a later stage to a simulation that has run; returns warnings and notes.
 ///
@@ -24,17 +75,7 @@ pub(super) fn restage(
     simulation: &mut Simulation,
     profile: Profile,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
-    // the step counter and the time are the program's own variables
-    database.set_integer("YDC/NCSTEP", i64::try_from(simulation.step_index()).unwrap_or(i64::MAX));
-    database.set_real("YDC/DCTIME", simulation.time());
-    let mut findings = Vec::new();
-    let mut named = BTreeSet::new();
-    for item in stage.items.clone() {
-        findings.extend(database.apply(deck, item));
-        if let Some(assignment) = deck.item(item).and_then(|i| i.assignment()) {
-            named.insert(format!("{}/{}", assignment.keyword.database, assignment.keyword.name));
-        }
-    }
+    let (mut findings, named) = apply(deck, stage, database, Entry::of(simulation));
     let located = |findings: Vec<Diagnostic>| {
         findings.into_iter().map(|f| f.located(deck.sources())).collect::<Vec<_>>()
     };

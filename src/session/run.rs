@@ -1,15 +1,15 @@
 use super::{
     Format,
+    checkpoint::{Checkpoint, CheckpointError, Checkpoints, DeckPrint, Position, RunSettings},
     load::{LoadedDeck, capacity_finding},
     observer::{Observer, Progress},
-    restage::restage,
+    restage::{Entry, restage},
+    resume::resume,
     summary::{RunSummary, StopReason},
+    writers::open_writers,
 };
 use crate::{
-    output::{
-        D3plotOutput, HistoryOutput, OutputError, OutputNames, ResultWriter, RunTable,
-        StateFileOutput, TABLE_HEADER, VtuOutput, table_row,
-    },
+    output::{OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER, table_row},
     scene::Profile,
     simulation::Simulation,
 };
@@ -20,9 +20,7 @@ use std::{
     time::{Duration, Instant},
 };
 use thiserror::Error;
-use yformat::{
-    d3plot::StartDate, deck::Deck, diagnostic::Diagnostic, part_file::PartFile, source::SourceMap,
-};
+use yformat::{deck::Deck, diagnostic::Diagnostic, part_file::PartFile, source::SourceMap};
 
 /// Time between two looks at the progress.
 const PROGRESS_INTERVAL: Duration = Duration::from_millis(100);
@@ -54,6 +52,9 @@ pub enum RunError {
     /// A result file could not be written.
     #[error(transparent)]
     Output(#[from] OutputError),
+    /// The checkpoint cannot be gone on from.
+    #[error(transparent)]
+    Checkpoint(#[from] CheckpointError),
     /// Positions or velocities are no numbers any more.
     #[error(
         "the run has become unstable: at step {step} (time {time:.6e} s) the kinetic energy is {energy}; \
@@ -88,19 +89,58 @@ pub fn run(
     options: &RunOptions,
     observer: &mut dyn Observer,
 ) -> Result<RunSummary, RunError> {
+    run_with(loaded, options, Checkpoints::default(), observer)
+}
+
+/// Runs all stages of a deck, with checkpoints; goes on from one if `checkpoints` says so. Results
+/// are the same, to the last bit, as if the run had never stopped.
+///
+/// # Errors
+/// As [`run`]; also if a checkpoint cannot be written or gone on from.
+pub fn run_with(
+    mut loaded: LoadedDeck,
+    options: &RunOptions,
+    checkpoints: Checkpoints,
+    observer: &mut dyn Observer,
+) -> Result<RunSummary, RunError> {
     let names = OutputNames::new(&options.deck, &options.folder);
     std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
-    check_names(&names)?;
-    let mut log = RunTable::create(&names.log())?;
+    check_names(&names, &checkpoints)?;
     observer.findings(&loaded.findings, loaded.deck.sources());
     let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
-    let Some(simulation) = &loaded.simulation else {
+    let (resumed_at, mut here, mut writers, log) = match &checkpoints.resume {
+        Some(checkpoint) => {
+            let step = checkpoint.step_index();
+            let (position, writers) = resume(checkpoint, &mut loaded, options, &names)?;
+            let log = match position.log {
+                Some(log) => RunTable::resume(&names.log(), log)?,
+                None => RunTable::create(&names.log())?,
+            };
+            (Some(step), position, writers, log)
+        }
+        None => {
+            let log = RunTable::create(&names.log())?;
+            let writers = match &loaded.simulation {
+                Some(simulation) => open_writers(options, &names, simulation, false)?,
+                None => Vec::new(),
+            };
+            (None, Position { warnings, ..Position::default() }, writers, log)
+        }
+    };
+    let warnings = std::mem::take(&mut here.warnings);
+    let mut log = log;
+    if loaded.simulation.is_none() {
         for line in loaded.deck.echo_lines().iter().chain(&warnings) {
             log.line(line)?;
         }
         return Ok(empty_summary(options, warnings));
-    };
-    let writers = open_writers(options, &names, simulation)?;
+    }
+    if checkpoints.are_written() {
+        // better refused before the run than after it
+        for writer in &mut writers {
+            writer.mark()?;
+        }
+    }
     let mut session = Session {
         options,
         observer,
@@ -111,37 +151,15 @@ pub fn run(
         last_progress: Instant::now(),
         done: 0,
         triangle_steps: 0,
+        print: DeckPrint::of(&loaded.deck),
+        checkpoints,
+        names: names.clone(),
+        here,
+        resumed_at,
+        last_checkpoint: None,
     };
     let (simulation, outcome) = session.run_stages(loaded);
     session.complete(&simulation, outcome, &names)
-}
-
-fn open_writers(
-    options: &RunOptions,
-    names: &OutputNames,
-    simulation: &Simulation,
-) -> Result<Vec<Box<dyn ResultWriter>>, OutputError> {
-    let mut writers: Vec<Box<dyn ResultWriter>> = Vec::new();
-    let formats = Format::expand(&options.formats, simulation.scene().conventions.dialect);
-    if formats.contains(&Format::Yh) {
-        writers.push(Box::new(HistoryOutput::open(names, simulation)?));
-    }
-    if formats.contains(&Format::D3plot) {
-        let today = jiff::Zoned::now().date();
-        let start = StartDate {
-            day: today.day().unsigned_abs(),
-            month: today.month().unsigned_abs(),
-            year: today.year().unsigned_abs(),
-        };
-        writers.push(Box::new(D3plotOutput::new(names, start, options.legacy_d3plot)));
-    }
-    if formats.contains(&Format::Vtu) {
-        writers.push(Box::new(VtuOutput::new(names)));
-    }
-    if !options.states.is_empty() {
-        writers.push(Box::new(StateFileOutput::new(names, options.states.iter().copied())));
-    }
-    Ok(writers)
 }
 
 struct Session<'a> {
@@ -152,8 +170,28 @@ struct Session<'a> {
     warnings: Vec<String>,
     started: Instant,
     last_progress: Instant,
+    /// Steps and work of this run, without what came before its checkpoint.
     done: u64,
     triangle_steps: u64,
+    print: DeckPrint,
+    checkpoints: Checkpoints,
+    names: OutputNames,
+    /// Stages entered, and what was done before this run.
+    here: Position,
+    resumed_at: Option<u64>,
+    /// Step of the checkpoint written last.
+    last_checkpoint: Option<u64>,
+}
+
+/// Why the steps of a stage ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum StageEnd {
+    /// All are done.
+    Done,
+    /// No more were asked for (`--steps`).
+    Enough,
+    /// The observer asked for it.
+    Interrupted,
 }
 
 impl Session<'_> {
@@ -163,15 +201,25 @@ impl Session<'_> {
             unreachable!("a run without simulation ends before its stages");
         };
         let outcome = (|| {
-            for (index, stage) in stages.iter().enumerate() {
-                self.echo(&deck, stage.items.clone())?;
-                if index == 0 {
+            // a run that goes on from a checkpoint has entered this many already
+            let entered = self.here.ends.len();
+            let mut read = 0;
+            for (index, stage) in stages.iter().enumerate().skip(entered.saturating_sub(1)) {
+                read = stage.items.end;
+                let is_entered = index < entered;
+                if !is_entered {
+                    self.echo(&deck, stage.items.clone())?;
+                }
+                if is_entered {
+                    // its settings are in force, and its findings have been said
+                } else if index == 0 {
                     for warning in &self.warnings {
                         self.log.line(warning)?;
                     }
                     self.log.line(TABLE_HEADER)?;
                 } else {
                     let profile = self.options.profile;
+                    self.here.entries.push(Entry::of(&simulation));
                     let findings = restage(&deck, stage, &mut database, &mut simulation, profile)
                         .and_then(|found| match simulation.prepare() {
                             Ok(()) => Ok(found),
@@ -183,11 +231,23 @@ impl Session<'_> {
                         })?;
                     self.report_new(&findings, deck.sources())?;
                 }
-                if self.run_stage(&mut simulation)? == StopReason::Interrupted {
-                    return Ok(StopReason::Interrupted);
+                for writer in &mut self.writers {
+                    writer.begin_stage(&deck, &database)?;
+                }
+                if !is_entered {
+                    self.here.ends.push(database.integer("YDC/MCSTEP"));
+                }
+                let end = self.run_stage(&mut simulation)?;
+                let is_last = index + 1 == stages.len();
+                if self.checkpoints.at_end && (end != StageEnd::Done || is_last) {
+                    self.write_checkpoint(&simulation)?;
+                }
+                match end {
+                    StageEnd::Done => {}
+                    StageEnd::Enough => break,
+                    StageEnd::Interrupted => return Ok(StopReason::Interrupted),
                 }
             }
-            let read = stages.last().map_or(0, |stage| stage.items.end);
             self.echo(&deck, read..deck.items().len())?;
             Ok(StopReason::Finished)
         })();
@@ -216,18 +276,19 @@ impl Session<'_> {
         items.filter_map(|item| deck.echo_of(item)).try_for_each(|line| self.log.line(&line))
     }
 
-    fn run_stage(&mut self, simulation: &mut Simulation) -> Result<StopReason, RunError> {
+    fn run_stage(&mut self, simulation: &mut Simulation) -> Result<StageEnd, RunError> {
         let control = &simulation.scene().control;
         let interval = control.table_interval;
         let to_do = control.end_step.saturating_sub(simulation.step_index());
         let limit = self.options.steps.map_or(to_do, |n| to_do.min(n.saturating_sub(self.done)));
         let total = self.done + limit;
+        let end = if limit < to_do { StageEnd::Enough } else { StageEnd::Done };
         let deck = self.options.deck.display().to_string();
         self.observer.stage_starts(&deck, simulation, limit);
         let triangles = simulation.triangles().count() as u64;
         for _ in 0..limit {
             if self.observer.wants_stop() {
-                return Ok(StopReason::Interrupted);
+                return Ok(StageEnd::Interrupted);
             }
             if simulation.step_index().is_multiple_of(interval) {
                 self.row(simulation, total)?;
@@ -252,15 +313,59 @@ impl Session<'_> {
             for writer in &mut self.writers {
                 writer.after_step(simulation)?;
             }
+            let step = simulation.step_index();
+            if self.checkpoints.every.is_some_and(|steps| steps > 0 && step.is_multiple_of(steps)) {
+                check_stability(&self.progress(simulation, total))?;
+                self.write_checkpoint(simulation)?;
+            }
         }
         check_stability(&self.progress(simulation, total))?;
-        Ok(StopReason::Finished)
+        Ok(end)
+    }
+
+    /// Writes what a later run needs to go on from here, if it does not stand there already.
+    fn write_checkpoint(&mut self, simulation: &Simulation) -> Result<(), RunError> {
+        let step = simulation.step_index();
+        if self.last_checkpoint == Some(step) {
+            return Ok(());
+        }
+        let mut marks = Vec::with_capacity(self.writers.len());
+        for writer in &mut self.writers {
+            marks.push((writer.kind().to_owned(), writer.mark()?));
+        }
+        let options = self.options;
+        let checkpoint = Checkpoint {
+            settings: RunSettings {
+                formats: options.formats.clone(),
+                states: options.states.clone(),
+                legacy_d3plot: options.legacy_d3plot,
+                profile: options.profile,
+                dialect: self.checkpoints.dialect.clone(),
+            },
+            deck: self.print,
+            position: Position {
+                steps: self.here.steps + self.done,
+                triangle_steps: self.here.triangle_steps + self.triangle_steps,
+                seconds: self.here.seconds + self.started.elapsed().as_secs_f64(),
+                warnings: self.warnings.clone(),
+                log: Some(self.log.position()),
+                ..self.here.clone()
+            },
+            state: simulation.state(),
+            marks,
+        };
+        let path = self.names.checkpoint();
+        checkpoint.write(&path).map_err(OutputError::io(&path))?;
+        self.last_checkpoint = Some(step);
+        self.observer.checkpoint(&path, step);
+        Ok(())
     }
 
     fn row(&mut self, simulation: &Simulation, total: u64) -> Result<(), RunError> {
         let progress = self.progress(simulation, total);
         let date = jiff::Zoned::now().strftime("%d/%m/%Y %H:%M:%S").to_string();
-        let row = table_row(progress.step, progress.time, &date, progress.seconds);
+        let seconds = self.here.seconds + progress.seconds;
+        let row = table_row(progress.step, progress.time, &date, seconds);
         self.log.line(&row)?;
         self.observer.row(&row, &progress);
         check_stability(&progress)
@@ -284,7 +389,8 @@ impl Session<'_> {
         outcome: Result<StopReason, RunError>,
         names: &OutputNames,
     ) -> Result<RunSummary, RunError> {
-        let seconds = self.started.elapsed().as_secs_f64();
+        let seconds = self.here.seconds + self.started.elapsed().as_secs_f64();
+        let triangle_steps = self.here.triangle_steps + self.triangle_steps;
         let mut files = Vec::new();
         let mut failure = None;
         for writer in self.writers {
@@ -300,20 +406,24 @@ impl Session<'_> {
         let work = simulation.couple_work().unwrap_or_default();
         let mut summary = RunSummary {
             stop,
-            steps: self.done,
+            steps: self.here.steps + self.done,
+            resumed_at: self.resumed_at,
             time: simulation.time(),
             nodes: simulation.scene().nodes.len(),
             triangles: simulation.triangles().count(),
             broken_joints: simulation.failures().len(),
             kinetic_energy: simulation.sum_kinetic_energy(),
             seconds,
-            triangle_steps_per_second: self.triangle_steps as f64 / seconds.max(1e-9),
+            triangle_steps_per_second: triangle_steps as f64 / seconds.max(1e-9),
             detections: work.detections,
             couples_evaluated: work.evaluated,
             couples_rested: work.rested,
             files,
             ..empty_summary(self.options, self.warnings)
         };
+        if self.last_checkpoint.is_some() {
+            summary.files.push(names.checkpoint());
+        }
         if self.options.formats.contains(&Format::Json) {
             summary.files.push(write_summary(names.summary(), &summary)?);
         }
@@ -332,8 +442,10 @@ fn check_stability(progress: &Progress) -> Result<(), RunError> {
 }
 
 /// Results cannot take the place of a folder: better said before the run than after it.
-fn check_names(names: &OutputNames) -> Result<(), OutputError> {
-    for path in [names.d3plot(), names.pvd(), names.history(0), names.log()] {
+fn check_names(names: &OutputNames, checkpoints: &Checkpoints) -> Result<(), OutputError> {
+    let checkpoint = checkpoints.are_written().then(|| names.checkpoint());
+    let results = [names.d3plot(), names.pvd(), names.history(0), names.log()];
+    for path in results.into_iter().chain(checkpoint) {
         if path.is_dir() {
             let source = std::io::Error::other("there is a folder of this name");
             return Err(OutputError::Io { path, source });
@@ -368,6 +480,7 @@ fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
         detections: 0,
         couples_evaluated: 0,
         couples_rested: 0,
+        resumed_at: None,
         warnings,
         files: Vec::new(),
     }

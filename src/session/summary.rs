@@ -20,7 +20,7 @@ pub struct RunSummary {
     pub deck: PathBuf,
     /// Why the run ended.
     pub stop: StopReason,
-    /// Steps done.
+    /// Steps done, those before a checkpoint that the run goes on from among them.
     pub steps: u64,
     /// Physical time at the end, s.
     pub time: f64,
@@ -42,6 +42,8 @@ pub struct RunSummary {
     pub couples_evaluated: u64,
     /// Couples that were at rest and needed no evaluation.
     pub couples_rested: u64,
+    /// Step of the checkpoint that the run went on from.
+    pub resumed_at: Option<u64>,
     /// Warnings about the deck.
     pub warnings: Vec<String>,
     /// Result files.

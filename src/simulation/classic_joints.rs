@@ -11,12 +11,13 @@ use crate::{
     },
     scene::{CohesiveModel, JointKind},
 };
+use serde::{Deserialize, Serialize};
 
 /// A broken joint makes detection due at once, m of travel.
 const FORCED_TRAVEL: f64 = 1e15;
 
 /// What the classic dialect keeps of its joints.
-#[derive(Debug, Clone, Default)]
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
 pub struct ClassicJoints {
     /// Shear strengths of all points, Pa, in the original's store.
     strengths: Vec<f64>,
@@ -39,6 +40,18 @@ impl ClassicJoints {
         [0, 1, 2].map(|point| self.strengths[self.slot(element, point)])
     }
 
+    /// Whether it holds what so many elements need, the first joint among which is `joint`.
+    pub(super) fn fits(&self, elements: usize, joint: usize) -> bool {
+        let entries = elements.checked_sub(self.first_joint);
+        let is_element = |&e: &i32| e == -1 || usize::try_from(e).is_ok_and(|e| e < elements);
+        self.first_joint <= joint
+            && self.strengths.len() == 3 * elements + if self.is_shared { 6 } else { 0 }
+            && self.edge_joint.len() == elements
+            && self.edge_joint.as_flattened().iter().all(is_element)
+            && entries == Some(self.apertures.len())
+            && entries == Some(self.emissions.len())
+    }
+
     fn set_strengths(&mut self, element: usize, strengths: [f64; 3]) {
         for (point, strength) in strengths.into_iter().enumerate() {
             let slot = self.slot(element, point);
@@ -48,6 +61,17 @@ impl ClassicJoints {
 
     fn slot(&self, element: usize, point: usize) -> usize {
         if self.is_shared { element + 3 * point } else { 3 * element + point }
+    }
+
+    /// What lies in the store for a column of an element's row, as restart decks
+    /// show it; nothing is stored beyond the last strength.
+    #[must_use]
+    pub fn stored_strength(&self, element: usize, column: usize) -> f64 {
+        if self.is_shared || column < 3 {
+            self.strengths.get(self.slot(element, column)).copied().unwrap_or(0.0)
+        } else {
+            0.0
+        }
     }
 
     /// Number of the first element that is a joint.

@@ -1,10 +1,12 @@
 //! Acoustic emission of joints in the classic dialect (spec `mechanics.md` 4.2.5).
 
+use serde::{Deserialize, Serialize};
+
 /// Magnitude of a joint that has emitted nothing.
 const SILENT: f64 = -1e15;
 
 /// Stage of a joint that emits.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum EmissionStage {
     /// It does not soften.
     #[default]
@@ -16,7 +18,7 @@ pub enum EmissionStage {
 }
 
 /// What a joint has emitted.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct Emission {
     /// Stage.
     pub stage: EmissionStage,

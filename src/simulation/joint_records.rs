@@ -11,6 +11,8 @@ use crate::{
     scene::SeismicMethod,
 };
 
+use serde::{Deserialize, Serialize};
+
 /// Failure mode of a joint beside an excavated triangle.
 pub const EXCAVATED: f64 = 4.0;
 /// Failure mode of a joint on a fracture that is open from the start.
@@ -19,7 +21,7 @@ pub const NETWORK: f64 = 5.0;
 const YIELD_COUNT: u32 = 2;
 
 /// How a joint yields.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum YieldMode {
     /// Not at all so far.
     #[default]
@@ -33,7 +35,7 @@ pub enum YieldMode {
 }
 
 /// When and where a joint began to yield.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct Yielding {
     /// How.
     pub mode: YieldMode,
@@ -46,7 +48,7 @@ pub struct Yielding {
 }
 
 /// Kinetic energy around a joint since it yielded.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct EnergyRelease {
     /// Kinetic energy of its nodes that changes are measured from, J.
     reference: f64,
@@ -59,7 +61,7 @@ pub struct EnergyRelease {
 }
 
 /// What is kept of a joint.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Default, Serialize, Deserialize)]
 pub struct JointRecord {
     /// Largest damage of each point so far.
     pub largest_damage: [f64; 3],
@@ -127,7 +129,8 @@ impl Simulation {
                     let record = &mut self.joint_records[element];
                     record.yielding = Yielding { mode, step, time, place: place.into() };
                     record.release.reference = energy;
-                    record.release.since = time;
+                    (record.release.since, record.release.time) = (time, time);
+                    self.yielded_now.push(element);
                     return;
                 }
                 if point.opening > limits.peak_opening {

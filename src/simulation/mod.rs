@@ -16,6 +16,8 @@ mod joint_records;
 mod motion;
 mod plan;
 mod probe_values;
+mod state;
+mod state_check;
 mod view;
 
 use crate::{
@@ -24,13 +26,15 @@ use crate::{
     mechanics::Vec2,
     scene::{CohesiveModel, ContactSum, Scene},
 };
-use classic_joints::ClassicJoints;
 use element_forces::TriangleResponse;
 use joint_forces::EvaluatedJoint;
-use joint_records::JointRecord;
 use nalgebra::Matrix2;
 use plan::{ForcePhase, Plan};
 
+pub use classic_joints::ClassicJoints;
+pub use emission::{Emission, EmissionStage};
+pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
+pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
 /// Choices that change how fast a simulation runs, never its results.
@@ -69,6 +73,8 @@ pub struct Simulation {
     edge_factors: Vec<f64>,
     /// What Y-Geo keeps of each joint.
     joint_records: Vec<JointRecord>,
+    /// Joints that began to yield in this step.
+    yielded_now: Vec<usize>,
     /// What the classic dialect keeps of its joints.
     classic: ClassicJoints,
     /// Contact forces of each element in the last output step (classic).
@@ -112,6 +118,7 @@ impl Simulation {
             strength: Vec::new(),
             contact_force: Vec::new(),
             joint_records: Vec::new(),
+            yielded_now: Vec::new(),
             classic: ClassicJoints::default(),
             tally: Tally::default(),
             kinetic_energy: 0.0,
@@ -142,6 +149,8 @@ impl Simulation {
                 contact.force_detection(2.0);
             }
         }
+        self.install_supports();
+        self.put_excavated_nodes_into_their_set();
         if self.scene.conventions.cohesive == CohesiveModel::Classic {
             self.set_up_classic_joints();
         } else {
@@ -183,6 +192,18 @@ impl Simulation {
         }
         self.edge_factors.resize(scene.node_sets.len(), 1.0);
         self.scene = scene;
+    }
+
+    /// Takes over the settings of a later stage on the way to a state that is restored next:
+    /// what [`Self::continue_with`] and [`Self::prepare`] do without the mesh.
+    pub fn replay_stage(&mut self, mut scene: Scene) {
+        if let Some(insertion) = &mut scene.insertion {
+            insertion::skip(insertion, &mut scene.materials);
+        }
+        for material in &mut scene.materials {
+            material.resets_shape = false;
+        }
+        self.continue_with(scene, None);
     }
 
     /// First half of a step: internal forces, joints, contact detection and
@@ -246,6 +267,7 @@ impl Simulation {
 
     fn clear_forces(&mut self) {
         self.force.fill(Vec2::zeros());
+        self.yielded_now.clear();
         self.contact_force.fill(Vec2::zeros());
         if self.plan.masses_change {
             self.mass.copy_from_slice(&self.plan.nodal_mass);

@@ -8,6 +8,7 @@ use crate::{
     },
     scene::{
         Condition, ElasticLaw, ElementKind, ForceOrder, JointKind, Material, ProbeQuantity, Scene,
+        VolumetricShare,
     },
 };
 use std::ops::Range;
@@ -104,6 +105,7 @@ pub(super) struct Plan {
     /// Whether softening or rigid triangles change the masses during a step.
     pub masses_change: bool,
     pub kinetic_energy_probes: bool,
+    pub strain_energy_probes: Vec<usize>,
     /// Whether a material is excavated.
     pub excavates: bool,
 }
@@ -218,14 +220,9 @@ impl Plan {
                         has_extras: elastic && has_extras(scene, m, &corners),
                     });
                 }
-                let elasticity = Elasticity {
-                    lame_lambda: m.lame_lambda,
-                    shear_modulus: m.shear_modulus,
-                    viscosity: m.viscosity,
-                    volumetric_share: scene.conventions.volumetric.factor(),
-                };
+                let elasticity = elasticity(m, scene.conventions.volumetric);
                 self.forces.push(ForcePhase::Triangles(self.batches.len()));
-                let (kind, law) = (m.kind, stress_law(m, elasticity));
+                let (kind, law) = (m.kind, stress_law(m, scene.conventions.volumetric));
                 self.batches.push(Batch { material, kind, elasticity, law, triangles });
             }
         }
@@ -262,6 +259,7 @@ impl Plan {
         for (probe, p) in scene.probes.iter().enumerate() {
             match p.quantity {
                 ProbeQuantity::KineticEnergy => self.kinetic_energy_probes = true,
+                ProbeQuantity::StrainEnergy => self.strain_energy_probes.push(probe),
                 ProbeQuantity::ForceX | ProbeQuantity::ForceY => {
                     let here = |n: &usize| scene.nodes.initial[*n] == Vec2::from(p.point);
                     let nodes = (0..scene.nodes.len()).filter(here);
@@ -273,14 +271,23 @@ impl Plan {
     }
 }
 
+fn elasticity(material: &Material, share: VolumetricShare) -> Elasticity {
+    Elasticity {
+        lame_lambda: material.lame_lambda,
+        shear_modulus: material.shear_modulus,
+        viscosity: material.viscosity,
+        volumetric_share: share.factor(),
+    }
+}
+
 /// The law that a material's elastic triangles follow.
-fn stress_law(material: &Material, elasticity: Elasticity) -> StressLaw {
+pub(super) fn stress_law(material: &Material, share: VolumetricShare) -> StressLaw {
     let viscosity = material.viscosity;
     let linear = |stiffness, own, cross, shear| {
         StressLaw::Linear(LinearElasticity { stiffness, own, cross, shear, viscosity })
     };
     match material.elastic_law {
-        ElasticLaw::NeoHookean => StressLaw::NeoHookean(elasticity),
+        ElasticLaw::NeoHookean => StressLaw::NeoHookean(elasticity(material, share)),
         ElasticLaw::PlaneStress(m) => {
             let k = m.young / (1.0 - m.poisson * m.poisson);
             linear([k; 2], [1.0; 2], [m.poisson; 2], m.young / (1.0 + m.poisson))

@@ -5,6 +5,10 @@
 use super::Simulation;
 use crate::{
     TOLERANCE,
+    mechanics::{
+        Vec2,
+        triangle::{Kinematics, cauchy_stress},
+    },
     scene::{ProbeQuantity, Refresh},
 };
 
@@ -14,9 +18,42 @@ impl Simulation {
         for i in 0..self.plan.probes.len() {
             let (probe, element) =
                 (self.plan.probes[i].probe, self.plan.probes[i].element as usize);
-            let value = self.element_value(self.scene.probes[probe].quantity, element);
+            let quantity = self.scene.probes[probe].quantity;
+            let value = self.element_value(quantity, element);
             self.store_if_changed(probe, value);
+            if quantity == ProbeQuantity::StressOutOfPlane {
+                self.probe_times[probe] = self.time;
+            }
         }
+        if !self.plan.strain_energy_probes.is_empty() {
+            let energy = self.sum_strain_energy();
+            for i in 0..self.plan.strain_energy_probes.len() {
+                let probe = self.plan.strain_energy_probes[i];
+                (self.probe_values[probe], self.probe_times[probe]) = (energy, self.time);
+            }
+        }
+    }
+
+    /// Elastic energy of all triangles, J: half the product of elastic stress and
+    /// strain ½(B − I) times the area, elements in the order of their forces.
+    ///
+    /// Y-Geo takes the Lamé constants for all isotropic materials and a mixture of
+    /// stiffness and compliance for layered ones; here each material's own law counts.
+    fn sum_strain_energy(&self) -> f64 {
+        let mut sum = 0.0;
+        for batch in &self.plan.batches {
+            let law = batch.law.without_viscosity();
+            for planned in &batch.triangles {
+                let at = |values: &[Vec2]| planned.corners.map(|n| values[n as usize]);
+                let corners = at(&self.scene.nodes.current);
+                let velocities = at(&self.scene.nodes.velocity);
+                let kinematics = Kinematics::new(&planned.reference, &corners, &velocities);
+                let strain = kinematics.strain();
+                let stress = cauchy_stress(&law, &planned.reference, &corners, &velocities);
+                sum += 0.5 * strain.dot(&stress) * (kinematics.double_area / 2.0);
+            }
+        }
+        sum
     }
 
     fn element_value(&self, quantity: ProbeQuantity, element: usize) -> f64 {

@@ -1,16 +1,18 @@
 //! What output reads of a simulation.
 
-use super::Simulation;
+use super::{Simulation, plan::stress_law};
 use crate::{
-    contact::CoupleWork,
+    contact::{CoupleWork, Tally},
     insertion::InsertionReport,
     mechanics::{
         Vec2,
         joint2::{self, JointState, SplitRules, YGeoRules},
+        triangle::{Kinematics, ReferenceShape, cauchy_stress},
     },
     scene::{CohesiveModel, ElementKind, JointKind, Scene},
 };
 use nalgebra::Matrix2;
+use serde::{Deserialize, Serialize};
 use std::collections::HashMap;
 
 impl Simulation {
@@ -76,6 +78,48 @@ impl Simulation {
         &self.probe_values
     }
 
+    /// Factor on pressure and traction of each node set.
+    #[must_use]
+    pub fn edge_factors(&self) -> &[f64] {
+        &self.edge_factors
+    }
+
+    /// Contact forces of each element in the last output step (classic).
+    #[must_use]
+    pub fn contact_tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    /// Joints that began to yield in this step, in the order of their evaluation.
+    #[must_use]
+    pub fn yielded_now(&self) -> &[usize] {
+        &self.yielded_now
+    }
+
+    /// Cauchy stress of an elastic triangle where its nodes are now, Pa.
+    #[must_use]
+    pub fn present_stress(&self, element: usize) -> Option<Matrix2<f64>> {
+        Some(self.present_state(element)?.0)
+    }
+
+    /// Cauchy stress, Pa, and strain ½(B − I) of an elastic triangle where its
+    /// nodes are now.
+    #[must_use]
+    pub fn present_state(&self, element: usize) -> Option<(Matrix2<f64>, Matrix2<f64>)> {
+        let scene = &self.scene;
+        let material = scene.material_of(element)?;
+        if material.kind != ElementKind::ElasticTriangle {
+            return None;
+        }
+        let nodes = scene.elements.corners::<3>(element);
+        let reference = ReferenceShape::new(&nodes.map(|n| scene.nodes.initial[n]));
+        let law = stress_law(material, scene.conventions.volumetric);
+        let corners = nodes.map(|n| scene.nodes.current[n]);
+        let velocities = nodes.map(|n| scene.nodes.velocity[n]);
+        let kinematics = Kinematics::new(&reference, &corners, &velocities);
+        Some((cauchy_stress(&law, &reference, &corners, &velocities), kinematics.strain()))
+    }
+
     /// Times at which they were refreshed last, s.
     #[must_use]
     pub fn probe_times(&self) -> &[f64] {
@@ -111,7 +155,12 @@ impl Simulation {
     /// Whether a result state is due at this step.
     #[must_use]
     pub fn is_output_step(&self) -> bool {
-        self.step.is_multiple_of(self.scene.control.output_interval)
+        let control = &self.scene.control;
+        let interval = match control.refined_output {
+            Some(refined) if self.failures.len() as u64 > refined.broken_joints => refined.interval,
+            _ => control.output_interval,
+        };
+        self.step.is_multiple_of(interval)
     }
 
     /// Elements that are triangles, ascending.
@@ -148,7 +197,7 @@ pub enum JointCondition {
 }
 
 /// When and how a joint failed.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct JointFailure {
     /// Element number.
     pub element: usize,
@@ -224,7 +273,11 @@ pub fn joint_views(simulation: &Simulation) -> impl Iterator<Item = JointView> +
         let strength = simulation.strength[element];
         let state = match scene.conventions.cohesive {
             CohesiveModel::Split => joint2::state::<SplitRules>(cohesive, &corners, strength),
-            _ => joint2::state::<YGeoRules>(cohesive, &corners, strength),
+            CohesiveModel::YGeo => joint2::state::<YGeoRules>(cohesive, &corners, strength),
+            CohesiveModel::Classic => {
+                let strengths = simulation.classic.strengths(element);
+                joint2::classic::state(cohesive, &corners, strengths)
+            }
         };
         let condition =
             if state.damage > 0.0 { JointCondition::Softening } else { JointCondition::Intact };

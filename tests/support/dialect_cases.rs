@@ -41,7 +41,8 @@ pub fn main(dialect: &str) -> ExitCode {
     conclusion.exit_code()
 }
 
-fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
+/// Folders of all cases of a dialect by name.
+pub fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
     let beside = ["../shared/reference", "../shared/thirdparty/reference"];
     let beside = beside.map(|folder| root.join(folder).join(dialect));
@@ -49,7 +50,9 @@ fn cases(dialect: &str) -> BTreeMap<String, PathBuf> {
         println!("skipping further cases: {} is absent", folder.display());
     }
     let mut cases = BTreeMap::new();
-    for folder in [root.join("tests/data").join(dialect)].into_iter().chain(beside) {
+    // the folders beside the repository hold more states of the same cases
+    let own = root.join("tests/data").join(dialect);
+    for folder in beside.into_iter().chain([own]) {
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
             cases.entry(name).or_insert_with(|| entry.path());

@@ -4,6 +4,7 @@
 pub mod dialect_cases;
 pub mod dump;
 pub mod grid_deck;
+pub mod result_files;
 pub mod scenes;
 pub mod spoilt_deck;
 pub mod state_file;

@@ -18,10 +18,13 @@ pub fn scene(deck: &Deck) -> Scene {
     outcome.scene.unwrap_or_else(|| panic!("{:?}", outcome.findings))
 }
 
-/// The scene of a case of `tests/data/split2d`.
+/// The scene of a case of `tests/data`: one of the split dialect, or `classic/` and
+/// its name, or `ygeo/` and its name.
 pub fn reference_scene(case: &str) -> Scene {
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/split2d");
-    let outcome = Deck::read(root.join(case).join(format!("{case}.y"))).expect("committed deck");
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data");
+    let (dialect, name) = case.split_once('/').unwrap_or(("split2d", case));
+    let deck = root.join(dialect).join(name).join(format!("{name}.y"));
+    let outcome = Deck::read(deck).expect("committed deck");
     assert!(!outcome.has_errors());
     scene(&outcome.deck)
 }
@@ -37,6 +40,13 @@ pub fn bits(simulation: &Simulation) -> Vec<u64> {
     let nodes = &simulation.scene().nodes;
     let vectors =
         [&nodes.current, &nodes.velocity].into_iter().flatten().chain(simulation.forces());
-    let properties = simulation.scene().elements.property.iter().map(|&p| p as u64);
-    vectors.flat_map(|v| [v.x.to_bits(), v.y.to_bits()]).chain(properties).collect()
+    let elements = &simulation.scene().elements;
+    let joints = elements.property.iter().zip(&elements.joint_kind);
+    let joints = joints.flat_map(|(&property, &kind)| [property as u64, kind as u64]);
+    let sliding = simulation.couples().into_iter().flat_map(|(pair, sliding)| {
+        // a sliding that is zero has no sign
+        pair.map(u64::from).into_iter().chain(sliding.map(|s| (s + 0.0).to_bits()))
+    });
+    let vectors = vectors.flat_map(|v| [v.x.to_bits(), v.y.to_bits()]);
+    vectors.chain(joints).chain(sliding).collect()
 }

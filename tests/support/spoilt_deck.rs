@@ -29,18 +29,14 @@ pub struct Verdict {
 
 /// The sound deck.
 pub fn base() -> String {
-    deck_of_the_repository("base.y")
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks/base.y");
+    fs::read_to_string(path).expect("the base deck is part of the repository")
 }
 
-/// The sound deck of the classic dialect.
-#[allow(dead_code, reason = "only the tests of the classic dialect use it")]
-pub fn classic_base() -> String {
-    deck_of_the_repository("base_classic.y")
-}
-
-fn deck_of_the_repository(name: &str) -> String {
-    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks");
-    fs::read_to_string(folder.join(name)).expect("the base deck is part of the repository")
+/// A sound deck of another dialect: `classic`, `classic_glued` or `ygeo`.
+pub fn base_of(dialect: &str) -> String {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks");
+    fs::read_to_string(root.join(format!("base_{dialect}.y"))).expect("a committed deck")
 }
 
 /// The sound deck after some edits. Each edit must name text that the deck has exactly once.

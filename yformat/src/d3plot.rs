@@ -66,4 +66,4 @@ pub use layout::StateLayout;
 pub use reader::{FamilyReader, Notice};
 pub use state::{NodeVectors, State, StateView, Stresses};
 pub use title::{StartDate, Title};
-pub use writer::{FamilyWriter, Finished};
+pub use writer::{FamilyMark, FamilyWriter, Finished};

@@ -8,6 +8,7 @@
 //! - [`ym`]: `.ym` snapshots of the classic dialect, [`classic_output`]: its other files.
 
 pub mod c_format;
+pub mod checksum;
 pub mod classic_output;
 pub mod d3plot;
 pub mod database;

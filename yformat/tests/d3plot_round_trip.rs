@@ -178,3 +178,58 @@ fn a_cut_file_keeps_its_whole_states() {
         assert!(FamilyReader::from_sources([Cursor::new(&bytes[..length])]).is_err());
     }
 }
+
+/// A family that is left at any state, with or without its last file complete, and gone on with
+/// there is the family of a writer that never stopped.
+#[test]
+fn a_family_is_gone_on_with() {
+    let path = committed().into_iter().next().expect("a committed family");
+    let mut reader = FamilyReader::open(&path).expect("a family");
+    let control = *reader.control();
+    let geometry = reader.geometry().clone();
+    let state = reader.state(0).expect("a state");
+    let folder = tempfile::tempdir().expect("a temporary folder");
+    let files = |name: &str| -> Vec<(String, Vec<u8>)> {
+        let mut files = Vec::new();
+        for entry in fs::read_dir(folder.path().join(name)).expect("a folder").flatten() {
+            let path = entry.path();
+            let name = path.file_name().expect("a name").to_string_lossy().into_owned();
+            files.push((name, fs::read(path).expect("a file")));
+        }
+        files.sort();
+        files
+    };
+    let begin = |name: &str| {
+        fs::create_dir(folder.path().join(name)).expect("a folder");
+        let path = folder.path().join(name).join("wall");
+        let writer = FamilyWriter::create(&path, control, &geometry, 3).expect("a family");
+        (path, writer)
+    };
+    let (_, mut straight) = begin("straight");
+    (0..8).for_each(|_| straight.copy_state(&state).expect("a state"));
+    straight.finish().expect("complete");
+    assert_eq!(files("straight").len(), 3);
+    for stop in 0..8 {
+        for is_killed in [false, true] {
+            let name = format!("{stop}{is_killed}");
+            let (path, mut writer) = begin(&name);
+            (0..stop).for_each(|_| writer.copy_state(&state).expect("a state"));
+            let mark = writer.mark().expect("a mark");
+            // and further than the mark
+            (stop..7).for_each(|_| writer.copy_state(&state).expect("a state"));
+            match is_killed {
+                true => drop(writer),
+                false => drop(writer.finish().expect("complete")),
+            }
+            let mut writer = FamilyWriter::resume(&path, 3, &mark).expect("a family to go on with");
+            (stop..8).for_each(|_| writer.copy_state(&state).expect("a state"));
+            assert_eq!(writer.finish().expect("complete").files.len(), 3);
+            assert!(files(&name) == files("straight"), "stopped after {stop}");
+        }
+    }
+    let (path, mut writer) = begin("other");
+    let mark = writer.mark().expect("a mark");
+    drop(writer);
+    fs::write(path.with_file_name("wall.part"), b"something else").expect("writable");
+    assert!(FamilyWriter::resume(&path, 3, &mark).is_err());
+}

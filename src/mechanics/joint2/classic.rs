@@ -6,7 +6,7 @@
 
 use super::{
     super::{Vec2, softening::remaining_strength},
-    JointResponse,
+    JointResponse, JointState,
     geometry::Geometry,
 };
 use crate::scene::CohesiveLaw;
@@ -122,6 +122,18 @@ pub fn evaluate(
         response.point_forces[point] = geometry.point_force(point, normal, shear);
     }
     (response, states)
+}
+
+/// State of a joint for output, without changing it.
+#[must_use]
+pub fn state(law: &CohesiveLaw, corners: &[Vec2; 4], mut strengths: [f64; 3]) -> JointState {
+    let (opening, sliding) = super::separation(corners);
+    let (_, points) = evaluate(law, corners, &mut strengths);
+    let worst = points.into_iter().fold(PointState::default(), |worst, point| {
+        if point.damage > worst.damage { point } else { worst }
+    });
+    let mode = if worst.damage > 0.0 { worst.mode } else { 0.0 };
+    JointState { opening, sliding, damage: worst.damage.min(1.0), mode }
 }
 
 /// The larger of two numbers as the original's macro has it.

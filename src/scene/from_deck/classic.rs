@@ -11,6 +11,9 @@ use yformat::diagnostic::Diagnostic;
 /// Most characters of a number in a snapshot: beyond, an integer has no room for it.
 const MOST_DIGITS: i64 = 9;
 
+/// Type of property sets of joints.
+pub(super) const JOINT_TYPE: i64 = 3;
+
 /// Says of each element what it is to the joints, as I1ELTY does, and numbers
 /// the property sets of joints behind those of triangles.
 pub(super) fn name_joints(reader: &mut Reader<'_>, elements: &mut Elements, sets: usize) {
@@ -118,14 +121,17 @@ pub(super) fn insertion(reader: &mut Reader<'_>, materials: &[Material]) -> Opti
     let pairs: Vec<JointPair> = pairs
         .map(|&m| JointPair { materials: [m as i32; 2], joint_set: materials[m].joint_set })
         .collect();
-    let exists = |set: i32| usize::try_from(set).is_ok_and(|set| set < materials.len());
-    if let Some(pair) = pairs.iter().find(|pair| !exists(pair.joint_set)) {
+    let kinds = reader.integers("YDP/I1PTYP", -1);
+    let joins = |set: i32| {
+        usize::try_from(set).is_ok_and(|set| set < materials.len() && kinds(set) == JOINT_TYPE)
+    };
+    if let Some(pair) = pairs.iter().find(|pair| !joins(pair.joint_set)) {
         let material = pair.materials[0] as usize;
         reader.report(
             Diagnostic::error(
                 "scene::joint-set",
                 format!(
-                    "property set {material} is to get joints of set {}, which does not exist",
+                    "property set {material} is to get joints of set {}, which is no joint set",
                     pair.joint_set
                 ),
             )

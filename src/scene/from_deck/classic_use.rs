@@ -1,12 +1,11 @@
 //! Checks of classic decks that need the whole scene.
 
-use super::{Reader, insertion, reader::Offenders};
+use super::{Reader, classic::JOINT_TYPE, insertion, reader::Offenders};
 use crate::scene::{ElementKind, Insertion, JointKind, Scene};
 use yformat::diagnostic::Diagnostic;
 
 /// Codes of the original for the types that move.
 const TRIANGLE_TYPES: [i64; 2] = [1, 2];
-const JOINT_TYPE: i64 = 3;
 const NODE_TYPE: i64 = -1;
 
 /// Joint state that a restart reads, beside the number of joints.

@@ -1,5 +1,5 @@
 use super::Reader;
-use crate::scene::Control;
+use crate::scene::{Control, RefinedOutput};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>) -> Control {
@@ -41,6 +41,18 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
             .help("2D scenes have gravity along y only (DCGRAY); turn the model to tilt it"),
         );
     }
+    let interval = reader.integer("YDC/ICOUTF");
+    if interval <= 0 && reader.database.dialect() != Dialect::Split {
+        reader.report(
+            Diagnostic::error(
+                "scene::output-interval",
+                format!("ICOUTF is {interval}: the original divides by it"),
+            )
+            .at(reader.place("YDC/ICOUTF"))
+            .expected("the number of steps from one result state to the next, 1 or more")
+            .help("give it with /YD/YDC/ICOUTF"),
+        );
+    }
     let table = if reader.knows("YDC/ICSHTF") { "YDC/ICSHTF" } else { "YDC/ICOUTF" };
     let steps = |n: i64| u64::try_from(n).unwrap_or(0);
     Control {
@@ -50,26 +62,10 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         start_time: reader.real("YDC/DCTIME"),
         gravity: reader.real("YDC/DCGRAY"),
         output_interval: steps(reader.integer("YDC/ICOUTF")).max(1),
+        refined_output: (reader.integer("YDC/ICOUTRF") > 0).then(|| RefinedOutput {
+            interval: steps(reader.integer("YDC/ICOUTRF")),
+            broken_joints: steps(reader.integer("YDC/ICOUTNF")),
+        }),
         table_interval: steps(reader.integer(table)).max(1),
     }
-}
-
-/// The split dialect has an interval of its own where the deck gives none; the others divide by
-/// the deck's.
-pub(super) fn check_use(reader: &mut Reader<'_>) {
-    let interval = reader.integer("YDC/ICOUTF");
-    if interval > 0 || reader.database.dialect() == Dialect::Split {
-        return;
-    }
-    let message = if reader.is_given("YDC/ICOUTF") {
-        format!("ICOUTF asks for results every {interval} steps")
-    } else {
-        "ICOUTF, the number of steps between results, is not given".to_owned()
-    };
-    reader.report(
-        Diagnostic::error("scene::output-interval", message)
-            .at(reader.place("YDC/ICOUTF"))
-            .expected("1 or more: the original divides by it")
-            .help("set /YD/YDC/ICOUTF to a number of steps; that of MCSTEP gives the first state only"),
-    );
 }

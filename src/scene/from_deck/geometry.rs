@@ -6,7 +6,7 @@ use crate::{
     mechanics::{Vec2, triangle::double_area},
     scene::{ElementKind, Scene},
 };
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// Twice the area over the squared longest edge, below which a triangle is flat.
 const FLAT: f64 = 1e-12;
@@ -15,6 +15,9 @@ pub(super) fn check(reader: &mut Reader<'_>, scene: &Scene) {
     let triangles: Vec<usize> =
         (0..scene.elements.len()).filter(|&e| scene.material_of(e).is_some()).collect();
     let corners = |e: usize, x: &[Vec2]| scene.elements.corners::<3>(e).map(|n| x[n]);
+    if reader.database.dialect() != Dialect::Split {
+        warn_of_clockwise(reader, scene, &triangles);
+    }
     let fine = check_repeated_nodes(reader, scene, &triangles)
         && check_areas(reader, &triangles, "D2NCI", |e| corners(e, &scene.nodes.initial))
         && check_areas(reader, &triangles, "D2NCC", |e| corners(e, &scene.nodes.current));
@@ -56,8 +59,12 @@ fn check_areas(
             (b - a).norm_squared().max((c - b).norm_squared()).max((a - c).norm_squared());
         double_area(&[a, b, c]) / longest
     };
-    // coordinates that are no numbers have no flatness and count as flat
-    let is_flat = |e: usize| flatness(e).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
+    // the split dialect alone refuses triangles that run clockwise; coordinates
+    // that are no numbers have no flatness and count as flat
+    let refuses = reader.database.dialect() == Dialect::Split;
+    let size = |flatness: f64| if refuses { flatness } else { flatness.abs() };
+    let is_flat =
+        |e: usize| size(flatness(e)).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
     let Some(found) = Offenders::find(triangles.len(), |k| is_flat(triangles[k])) else {
         return true;
     };
@@ -90,6 +97,28 @@ fn check_areas(
     false
 }
 
+/// Clockwise triangles run in the classic dialect and Y-Geo, as in their programs.
+fn warn_of_clockwise(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) {
+    let nodes = &scene.nodes;
+    let is_clockwise = |k: usize| {
+        let corners = scene.elements.corners::<3>(triangles[k]);
+        [&nodes.initial, &nodes.current]
+            .into_iter()
+            .any(|x| double_area(&corners.map(|n| x[n])) < 0.0)
+    };
+    let Some(found) = Offenders::find(triangles.len(), is_clockwise) else { return };
+    let element = triangles[found.first];
+    reader.report(
+        Diagnostic::warning(
+            "scene::clockwise-triangle",
+            format!("triangle {element} runs clockwise{}", found.more()),
+        )
+        .at(reader.entry_at("YDE/I2ELTO", [0, element, 0]))
+        .expected("three nodes counter-clockwise")
+        .help("as in the original such triangles have negative mass, and nodes with negative mass never move: exchange two nodes of each"),
+    );
+}
+
 /// Smallest time that an elastic wave takes across a triangle: its smallest
 /// height over the speed of compression waves. Explicit integration needs a
 /// time step below about this; it grows without bound beyond.
@@ -102,7 +131,7 @@ fn check_time_step(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) 
         }
         let [a, b, c] = scene.elements.corners::<3>(e).map(|n| scene.nodes.initial[n]);
         let longest = (b - a).norm().max((c - b).norm()).max((a - c).norm());
-        let height = double_area(&[a, b, c]) / longest;
+        let height = double_area(&[a, b, c]).abs() / longest;
         let stiffness = material.lame_lambda + 2.0 * material.shear_modulus;
         let crossing = height / (stiffness / material.density).sqrt();
         if critical.is_none_or(|(least, _)| crossing < least) {

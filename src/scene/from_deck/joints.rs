@@ -9,9 +9,6 @@ use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 /// What cohesive laws are called in findings.
 const WHAT: &str = "joint property sets";
 
-/// Type of joint sets.
-const JOINT: i64 = 3;
-
 /// Arrays that the cohesive law of the classic dialect reads.
 const CLASSIC_ARRAYS: [&str; 7] = [
     "YDPJ/D1PJFT",
@@ -126,7 +123,7 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
 fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     let laws = &scene.cohesive_laws;
     if reader.is_classic() {
-        let needed = classic::sets_up_to(reader, &[JOINT]);
+        let needed = classic::sets_up_to(reader, &[classic::JOINT_TYPE]);
         return CLASSIC_ARRAYS
             .iter()
             .all(|name| needed == 0 || reader.required_reals(name, WHAT, needed).is_some());
@@ -173,28 +170,8 @@ fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {
             report_value(reader, set, name, quantity, value);
         }
     }
-    if reader.is_classic() {
-        check_cohesion(reader, set, law);
-    } else if law.initial_shear_strength() <= 0.0 {
+    if law.initial_shear_strength() <= 0.0 {
         report_value(reader, set, "YDPJ/D1PJFS", "shear strength", law.initial_shear_strength());
-    }
-}
-
-/// Without cohesion joints of the classic dialect hold by friction alone.
-fn check_cohesion(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {
-    if law.cohesion < 0.0 {
-        report_value(reader, set, "YDPJ/D1PJCO", "cohesion", law.cohesion);
-    } else if law.cohesion == 0.0 {
-        reader.report(
-            Diagnostic::warning(
-                "scene::joint-strength",
-                format!(
-                    "joint set {set} has no cohesion: its joints slide where they are not pressed"
-                ),
-            )
-            .at(reader.entry("YDPJ/D1PJCO", set))
-            .expected(format!("a cohesion above 0 in /YD/{}", reader.called("YDPJ/D1PJCO"))),
-        );
     }
 }
 

@@ -39,6 +39,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
     let joint_set = reader.integers("YDPE/I1PEJP", -1);
     let marking = reader.integers("YDPE/I1PEMB", 0);
     let interface = real("YDPE/D1PBIF");
+    let support = reader.integers("YDPE/I1PSUP", -1);
     let excavated = reader.integers("YDPE/I1PEXC", -1);
     let damage_row = reader.integers("YDPE/I1PSDE", 0);
     (0..len)
@@ -54,6 +55,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
             friction: friction(i),
             interface_friction: interface(i),
             is_excavated: excavated(i) == 1,
+            resets_shape: support(i) == 1,
             softening_stretch: stretch(i),
             fractures: fractures(i) > 0,
             joint_set: to_i32(joint_set(i)),
@@ -144,6 +146,17 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
         }
         if material.kind == ElementKind::SofteningTriangle {
             check_softening(reader, scene, set);
+            if material.fractures && scene.conventions.dialect == Dialect::YGeo {
+                reader.report(
+                    Diagnostic::error(
+                        "scene::not-simulated",
+                        format!("softening material {set} is to fracture, which Y-Geo does with strengths that it never sets"),
+                    )
+                    .at(reader.entry("YDPE/I1PEFR", set))
+                    .expected("0: no fracture")
+                    .help("use joints for fracture"),
+                );
+            }
         }
     }
 }

@@ -23,15 +23,16 @@ mod unsupported;
 mod update;
 mod ygeo;
 
-pub use update::update_scene;
+pub use update::{replay_settings, update_scene};
 
 use super::{Conventions, Scene};
 use reader::Reader;
+use serde::{Deserialize, Serialize};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic, dialect::Dialect};
 
 /// Which of the two programs of the split dialect is followed where they differ
 /// (spec `y2d3d.md` L).
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum Profile {
     /// The Windows program: no normalisation of local axes.
     #[default]
@@ -103,7 +104,6 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         probe_threshold,
     };
     if !reader.has_errors() {
-        control::check_use(reader);
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
         insertion::check_use(reader, &scene);

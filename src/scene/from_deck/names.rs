@@ -16,7 +16,7 @@ const IN_CLASSIC: &[(&str, &str)] = &[
     ("YDPJ/NPJSET", "YDP/NPROP"),
     ("YDPJ/MPJSET", "YDP/MPROP"),
     ("YDPJ/D1PJFT", "YDP/D1PEFT"),
-    ("YDPJ/D1PJFS", ""),
+    ("YDPJ/D1PJFS", "YDP/D1PCOH"),
     ("YDPJ/D1PJGF", "YDP/D1PEGT"),
     ("YDPJ/D1PJGS", "YDP/D1PEGS"),
     ("YDPJ/D1PJCO", "YDP/D1PCOH"),
@@ -38,4 +38,34 @@ pub(super) fn in_dialect<'n>(dialect: Dialect, name: &'n str) -> Option<Cow<'n, 
         Cow::Borrowed(name)
     };
     keywords::find(dialect, &own).is_some().then_some(own)
+}
+
+/// A text with the keywords in it as a dialect calls them.
+pub(super) fn translated(dialect: Dialect, text: &str) -> String {
+    let mut translated = String::with_capacity(text.len());
+    let mut rest = text;
+    while let Some(start) = rest.find("YDP") {
+        let (before, from) = rest.split_at(start);
+        let end = from.find(|c: char| !c.is_ascii_alphanumeric() && c != '/').unwrap_or(from.len());
+        let (name, after) = from.split_at(end);
+        translated.push_str(before);
+        translated.push_str(&in_dialect(dialect, name).unwrap_or(Cow::Borrowed(name)));
+        rest = after;
+    }
+    translated + rest
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_name_the_keywords_of_the_dialect() {
+        let text = "give it with /YD/YDPJ/D1PJFT; YDPE/D1PERO is missing";
+        assert_eq!(
+            translated(Dialect::Classic, text),
+            "give it with /YD/YDP/D1PEFT; YDP/D1PERO is missing"
+        );
+        assert_eq!(translated(Dialect::Split, text), text);
+    }
 }

@@ -13,7 +13,9 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
     let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets", 0);
     check_given(reader, len);
     let codes = [reader.integers("YDPN/I1PNFX", -1), reader.integers("YDPN/I1PNFY", -1)];
-    let amplitudes = [reader.reals("YDPN/D1PNAX", 1.0), reader.reals("YDPN/D1PNAY", 1.0)];
+    // the other programs have no default
+    let unloaded = if reader.database.dialect() == Dialect::Split { 1.0 } else { 0.0 };
+    let amplitudes = [reader.reals("YDPN/D1PNAX", unloaded), reader.reals("YDPN/D1PNAY", unloaded)];
     let (pressure, traction) = (reader.reals("YDPN/D1PNAP", 0.0), reader.reals("YDPN/D1PNAT", 0.0));
     let x_axis = [reader.reals("YDPN/D1PNXX", 1.0), reader.reals("YDPN/D1PNXY", 0.0)];
     let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
@@ -223,7 +225,8 @@ fn check_codes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
 fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
     for (k, name) in ["YDPN/D1PNAX", "YDPN/D1PNAY"].into_iter().enumerate() {
         let loaded = sets.iter().any(|s| s.moves && s.conditions[k] != Condition::Frozen);
-        if loaded && !reader.is_given(name) && !reader.is_classic() {
+        let default_is_one = reader.database.dialect() == Dialect::Split;
+        if loaded && default_is_one && !reader.is_given(name) {
             reader.report(
                 Diagnostic::warning(
                     "scene::default-amplitude",

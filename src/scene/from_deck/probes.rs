@@ -3,7 +3,7 @@ use crate::{
     mechanics::Vec2,
     scene::{Insertion, Probe, ProbeQuantity, Scene},
 };
-use yformat::diagnostic::Diagnostic;
+use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// Type of the kinetic energy, the only one of the classic dialect.
 const KINETIC_ENERGY: i64 = 15;
@@ -58,6 +58,7 @@ fn quantity(reader: &mut Reader<'_>, history: usize, code: i64) -> ProbeQuantity
         8 => ProbeQuantity::VelocityX,
         9 => ProbeQuantity::VelocityY,
         KINETIC_ENERGY => ProbeQuantity::KineticEnergy,
+        21 if reader.database.dialect() == Dialect::YGeo => ProbeQuantity::StrainEnergy,
         18 => ProbeQuantity::ForceX,
         19 => ProbeQuantity::ForceY,
         _ => {

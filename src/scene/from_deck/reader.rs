@@ -1,4 +1,4 @@
-use super::names::in_dialect;
+use super::names::{in_dialect, translated};
 use std::borrow::Cow;
 use yformat::{
     database::{Database, Field},
@@ -76,7 +76,14 @@ impl<'a> Reader<'a> {
         self.findings.into_iter().map(|finding| finding.located(sources)).collect()
     }
 
-    pub fn report(&mut self, finding: Diagnostic) {
+    /// Keeps a finding, with the keywords in it as the deck's dialect calls them.
+    pub fn report(&mut self, mut finding: Diagnostic) {
+        let dialect = self.database.dialect();
+        let notes = &mut finding.notes;
+        let texts = [&mut notes.label, &mut notes.expected, &mut notes.help];
+        for text in texts.into_iter().flatten().chain([&mut finding.message]) {
+            *text = translated(dialect, text);
+        }
         self.findings.push(finding);
     }
 

@@ -32,64 +32,12 @@ fn update(
     named: &BTreeSet<String>,
     profile: Profile,
 ) -> Scene {
-    let own_database = |database| match (reader.is_classic(), database) {
-        (true, "YDPE" | "YDPJ" | "YDPN" | "YDPM") => "YDP",
-        (_, database) => database,
-    };
-    let names = |database| {
-        let database = own_database(database);
-        named.iter().any(|n| n.split('/').next() == Some(database))
-    };
-    let (names_nodes, names_joints, names_triangles) =
-        (names("YDPN"), names("YDPJ"), names("YDPE"));
-    let (names_meshing, names_contact, names_histories) =
-        (names("YDPM"), names("YDI"), names("YDO"));
     unsupported::check(reader);
     check_counts(reader, &scene, named);
-    scene.control = control::read(reader);
-    if names_triangles {
-        let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
-        scene.materials = materials::read(reader);
-        // in the split dialect and Y-Geo the program itself says which joints there are
-        if !reader.is_classic() && !named.contains("YDPE/I1PEJP") {
-            for (material, set) in scene.materials.iter_mut().zip(sets) {
-                material.joint_set = set;
-            }
-        }
-    }
-    if names_joints {
-        scene.cohesive_laws = joints::read(reader);
-    }
-    if names_nodes {
-        scene.node_sets = node_sets::read(reader, profile);
-        scene.load_history = node_sets::read_load_history(reader, scene.node_sets.len());
-    }
-    if names_contact || named.contains("YDC/IWFAST") {
-        scene.contact = contact::read(reader);
-    }
-    if names_meshing {
-        let earlier = scene.insertion.take();
-        scene.insertion = insertion::read(reader, &scene.materials);
-        let codes: &[&str] =
-            if reader.is_classic() { &["YDP/I1PEMN", "YDP/I1PNFZ"] } else { &["YDPM/I2PMSET"] };
-        if !codes.iter().any(|code| named.contains(*code)) {
-            // codes are consumed when they are executed
-            match (&mut scene.insertion, earlier) {
-                (Some(new), Some(old)) => new.combinations = old.combinations,
-                (new, old) => *new = old,
-            }
-        }
-    }
-    if reader.is_classic() {
-        scene.ramp = Some(classic::ramp(reader));
-    }
-    if names_histories {
-        update_probes(reader, &mut scene);
-    }
+    update_settings(reader, &mut scene, named, profile);
     update_nodes(reader, &mut scene, named);
     update_elements(reader, &mut scene, named);
     if !reader.has_errors() {
-        control::check_use(reader);
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
         insertion::check_use(reader, &scene);
@@ -102,19 +50,89 @@ fn update(
     scene
 }
 
+/// Gives a scene the settings of a later stage, which a run has passed without errors before;
+/// nodes and elements stay as they are.
+pub fn replay_settings(
+    deck: &Deck,
+    database: &Database,
+    scene: &mut Scene,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) {
+    let mut reader = Reader::new(deck, database);
+    update_settings(&mut reader, scene, named, profile);
+}
+
+/// Everything of a stage but nodes and elements.
+fn update_settings(
+    reader: &mut Reader<'_>,
+    scene: &mut Scene,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) {
+    // the classic dialect has one table for sets of all kinds
+    let table = |name| if reader.is_classic() { "YDP" } else { name };
+    let names = |database| named.iter().any(|n| n.split('/').next() == Some(database));
+    let [materials_change, joints_change, nodes_change, meshing_changes] =
+        ["YDPE", "YDPJ", "YDPN", "YDPM"].map(|database| names(table(database)));
+    scene.control = control::read(reader);
+    if reader.is_classic() {
+        scene.ramp = Some(classic::ramp(reader));
+    }
+    if materials_change {
+        let support_is_named = named.contains("YDPE/I1PSUP");
+        let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
+        scene.materials = materials::read(reader);
+        for material in scene.materials.iter_mut().filter(|_| !support_is_named) {
+            // it has been installed
+            material.resets_shape = false;
+        }
+        // in the split dialect and Y-Geo the program itself says which joints there are
+        if !reader.is_classic() && !named.contains("YDPE/I1PEJP") {
+            for (material, set) in scene.materials.iter_mut().zip(sets) {
+                material.joint_set = set;
+            }
+        }
+    }
+    if joints_change {
+        scene.cohesive_laws = joints::read(reader);
+    }
+    if nodes_change {
+        scene.node_sets = node_sets::read(reader, profile);
+        scene.load_history = node_sets::read_load_history(reader, scene.node_sets.len());
+    }
+    if names("YDI") || named.contains("YDC/IWFAST") {
+        scene.contact = contact::read(reader);
+    }
+    if meshing_changes {
+        let earlier = scene.insertion.take();
+        scene.insertion = insertion::read(reader, &scene.materials);
+        let codes = ["YDPM/I2PMSET", "YDP/I1PEMN", "YDP/I1PNFZ"];
+        if !codes.iter().any(|code| named.contains(*code)) {
+            // codes are consumed when they are executed
+            match (&mut scene.insertion, earlier) {
+                (Some(new), Some(old)) => new.combinations = old.combinations,
+                (new, old) => *new = old,
+            }
+        }
+    }
+    if names("YDO") {
+        update_probes(reader, scene);
+    }
+}
+
 /// Restating the counts of a mesh that has grown would cut it.
 fn check_counts(reader: &mut Reader<'_>, scene: &Scene, named: &BTreeSet<String>) {
-    let sets = scene.materials.len();
-    let counts = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
-    // joints are numbered behind the property sets of triangles
-    for (name, now) in counts.into_iter().chain(reader.is_classic().then_some(("YDP/NPROP", sets)))
-    {
+    let mesh = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
+    // the sets of joints are numbered behind those of triangles
+    let sets = reader.is_classic().then_some(("YDP/NPROP", scene.materials.len()));
+    for (name, now) in mesh.into_iter().chain(sets) {
         if named.contains(name) && reader.integer(name) != now as i64 {
             reader.report(
                 Diagnostic::error(
                     "scene::restated-count",
                     format!(
-                        "a later stage sets {name} to {}, but the mesh has {now}",
+                        "a later stage sets {name} to {}, but there are {now}",
                         reader.integer(name)
                     ),
                 )

@@ -15,6 +15,9 @@ const PAIR_COLUMNS: usize = 5;
 
 /// The elastic law of a property set of type `code`.
 pub(super) fn elastic_law(reader: &mut Reader<'_>, set: usize, code: i64) -> ElasticLaw {
+    if !reader.knows("YDPE/I1USAN") {
+        return ElasticLaw::NeoHookean;
+    }
     let real = |name| reader.reals(name, 0.0)(set);
     match reader.integers("YDPE/I1USAN", -1)(set) {
         kind @ (1 | 2) => {
@@ -138,6 +141,7 @@ fn check_pairs(reader: &mut Reader<'_>, rows: &[PairRow]) {
             .expected("two property sets that exist, the lower number first"),
         );
     }
+    let all_apply = Offenders::find(rows.len(), wrong).is_none();
     let unsound = |r: usize| {
         let p = rows[r].properties;
         p.friction > 0.0 && p.tangential_penalty <= 0.0 || p.penalty < 0.0
@@ -160,7 +164,7 @@ fn check_pairs(reader: &mut Reader<'_>, rows: &[PairRow]) {
     let missing = (0..sets.min(1000))
         .flat_map(|a| (a..sets.min(1000)).map(move |b| (a, b)))
         .find(|&(a, b)| !pairs(a, b));
-    if let Some((a, b)) = missing {
+    if let Some((a, b)) = missing.filter(|_| all_apply) {
         reader.report(
             Diagnostic::warning(
                 "scene::pair-table",

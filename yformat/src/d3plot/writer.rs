@@ -1,6 +1,6 @@
 //! Streams a family to disk.
 
-use std::io::Write as _;
+use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
 use super::control::ControlBlock;
@@ -10,7 +10,7 @@ use super::family::{END_OF_FILE_MARKER, member_path};
 use super::geometry::Geometry;
 use super::layout::StateLayout;
 use super::state::{State, StateView};
-use crate::part_file::PartFile;
+use crate::part_file::{Mark, PartFile};
 
 /// Writes a family, state after state.
 ///
@@ -21,6 +21,7 @@ use crate::part_file::PartFile;
 #[derive(Debug)]
 pub struct FamilyWriter {
     first: PathBuf,
+    control: ControlBlock,
     layout: StateLayout,
     states_per_file: u64,
     file: PartFile,
@@ -28,6 +29,19 @@ pub struct FamilyWriter {
     states_in_file: u64,
     completed: Vec<PathBuf>,
     buffer: Vec<u8>,
+}
+
+/// How far a family was written: enough for another run to go on from there.
+#[derive(Debug, Clone, PartialEq)]
+pub struct FamilyMark {
+    /// The control block.
+    pub control: ControlBlock,
+    /// Number of the last file.
+    pub member: u32,
+    /// States in it.
+    pub states_in_file: u64,
+    /// How far it was written.
+    pub file: Mark,
 }
 
 /// What [`FamilyWriter::finish`] left on disk.
@@ -57,6 +71,7 @@ impl FamilyWriter {
         file.write_all(&buffer).map_err(WriteError::io(path))?;
         Ok(Self {
             first: path.to_path_buf(),
+            control,
             layout,
             states_per_file: states_per_file.max(1),
             file,
@@ -65,6 +80,51 @@ impl FamilyWriter {
             completed: Vec::new(),
             buffer,
         })
+    }
+
+    /// Goes on with a family whose first file is `path` and which an earlier run has written up
+    /// to `mark`; what is there beyond is cut off.
+    ///
+    /// # Errors
+    /// If a file of the family is missing or does not hold what had been written.
+    pub fn resume(
+        path: &Path,
+        states_per_file: u64,
+        mark: &FamilyMark,
+    ) -> Result<Self, WriteError> {
+        let layout = StateLayout::new(&mark.control)?;
+        let mut completed = Vec::new();
+        for member in 0..mark.member {
+            let file = member_path(path, member);
+            if !file.is_file() {
+                let source = io::Error::new(io::ErrorKind::NotFound, "the file is missing");
+                return Err(WriteError::io(&file)(source));
+            }
+            completed.push(file);
+        }
+        let last = member_path(path, mark.member);
+        let file = PartFile::resume(&last, &mark.file).map_err(WriteError::io(&last))?;
+        Ok(Self {
+            first: path.to_path_buf(),
+            control: mark.control,
+            layout,
+            states_per_file: states_per_file.max(1),
+            file,
+            member: mark.member,
+            states_in_file: mark.states_in_file,
+            completed,
+            buffer: Vec::new(),
+        })
+    }
+
+    /// How far the family has been written; that much is on the disk then.
+    ///
+    /// # Errors
+    /// If the system cannot put it there.
+    pub fn mark(&mut self) -> Result<FamilyMark, WriteError> {
+        let file = self.file.mark().map_err(WriteError::io(self.file.temporary_path()))?;
+        let (member, states_in_file) = (self.member, self.states_in_file);
+        Ok(FamilyMark { control: self.control, member, states_in_file, file })
     }
 
     /// Appends a state, rounded to single precision. A state with arrays of wrong lengths is

@@ -19,10 +19,11 @@ pub struct AcousticEvent {
 }
 
 impl AcousticEvent {
-    /// Magnitude of the event. Y-Geo writes e⁻⁹ where the unit asks for 10⁻⁹.
+    /// Magnitude of the event, from the energy in single precision. Y-Geo writes e⁻⁹ where the
+    /// unit asks for 10⁻⁹.
     #[must_use]
     pub fn magnitude(&self) -> f64 {
-        ((self.energy * (-9.0_f64).exp()).log10() - 4.8) / 1.5
+        ((f64::from(self.energy as f32) * (-9.0_f64).exp()).log10() - 4.8) / 1.5
     }
 }
 

@@ -55,7 +55,14 @@ impl RestartDeck {
                 return Err(RestartError::Deck(Box::new(error)));
             }
         }
-        let values = &values;
+        Self::from_values(deck, &values)
+    }
+
+    /// The values that a stage of a deck leaves in the program.
+    ///
+    /// # Errors
+    /// As [`RestartDeck::from_deck`].
+    pub fn from_values(deck: &Deck, values: &Database) -> Result<Self, RestartError> {
         let joints = announced(values, "YDJ/NJOINT", "YDJ/I1JTID", 0)?;
         let property_sets = announced(values, "YDP/NPROP", "YDP/I1PTYP", 0)?;
         let histories = announced(values, "YDO/NOHYS", "YDO/I1OHYT", 0)?;

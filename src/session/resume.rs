@@ -1,0 +1,77 @@
+//! From a checkpoint to a run that goes on.
+
+use super::{
+    checkpoint::{Checkpoint, CheckpointError, DeckPrint, Position},
+    load::LoadedDeck,
+    restage::replay,
+    run::{RunError, RunOptions},
+    writers::open_writers,
+};
+use crate::output::{OutputNames, ResultWriter};
+use yformat::database::Database;
+
+/// More steps, and more triangles times steps, than any run does.
+const MOST_COUNTED: u64 = 1 << 60;
+
+/// Takes a deck that has just been loaded to where the run of the checkpoint stood. Gives that
+/// place, and the writers with their files open there.
+///
+/// # Errors
+/// If the checkpoint is not one of this deck or result files are not as they were left.
+pub(super) fn resume(
+    checkpoint: &Checkpoint,
+    loaded: &mut LoadedDeck,
+    options: &RunOptions,
+    names: &OutputNames,
+) -> Result<(Position, Vec<Box<dyn ResultWriter>>), RunError> {
+    let other_deck = || CheckpointError::OtherDeck { deck: options.deck.clone() };
+    let mut position = checkpoint.position.clone();
+    let LoadedDeck { deck, database, stages, simulation, .. } = loaded;
+    let simulation = simulation.as_mut().ok_or_else(other_deck)?;
+    let entered = position.ends.len();
+    if DeckPrint::of(deck) != checkpoint.deck
+        || !(1..=stages.len()).contains(&entered)
+        || position.entries.len() + 1 != entered
+        || position.steps.max(position.triangle_steps) > MOST_COUNTED
+    {
+        return Err(other_deck().into());
+    }
+    check_end(&position, 0, database)?;
+    for (index, entry) in (1..entered).zip(&position.entries) {
+        replay(deck, &stages[index], database, simulation, *entry, options.profile);
+        check_end(&position, index, database)?;
+    }
+    simulation.restore(checkpoint.state.clone()).map_err(CheckpointError::from)?;
+    let (step, end) = (simulation.step_index(), simulation.scene().control.end_step);
+    if end < step {
+        return Err(CheckpointError::Passed { step, end }.into());
+    }
+    if let Some(last) = position.ends.last_mut() {
+        *last = database.integer("YDC/MCSTEP");
+    }
+    let mut writers = open_writers(options, names, simulation, true)?;
+    let kinds: Vec<&str> = checkpoint.marks.iter().map(|(kind, _)| kind.as_str()).collect();
+    if !writers.iter().map(|writer| writer.kind()).eq(kinds.iter().copied()) {
+        let was = kinds.join(", ");
+        return Err(CheckpointError::OtherFormats { was }.into());
+    }
+    for (writer, (_, mark)) in writers.iter_mut().zip(&checkpoint.marks) {
+        writer.resume(mark, names, simulation)?;
+    }
+    Ok((position, writers))
+}
+
+/// A stage that is over must have ended where the deck says; the last may be made longer.
+fn check_end(
+    position: &Position,
+    index: usize,
+    database: &Database,
+) -> Result<(), CheckpointError> {
+    let now = database.integer("YDC/MCSTEP");
+    match position.ends.get(index) {
+        Some(&was) if index + 1 < position.ends.len() && was != now => {
+            Err(CheckpointError::EarlierStage { stage: index + 1, was, now })
+        }
+        _ => Ok(()),
+    }
+}

@@ -1,0 +1,57 @@
+//! Which result files a run writes.
+
+use super::{Format, run::RunOptions};
+use crate::{
+    output::{
+        D3plotOutput, HistoryOutput, OutputError, OutputNames, RestartDeckOutput, ResultWriter,
+        SnapshotOutput, StateFileOutput, VtuOutput, YGeoOutput,
+    },
+    simulation::Simulation,
+};
+use yformat::{d3plot::StartDate, dialect::Dialect};
+
+/// The writers of a run; those of a run that goes on from a checkpoint have no files yet.
+pub(super) fn open_writers(
+    options: &RunOptions,
+    names: &OutputNames,
+    simulation: &Simulation,
+    is_resumed: bool,
+) -> Result<Vec<Box<dyn ResultWriter>>, OutputError> {
+    let mut writers: Vec<Box<dyn ResultWriter>> = Vec::new();
+    let formats = Format::expand(&options.formats, simulation.scene().conventions.dialect);
+    if formats.contains(&Format::Yh) {
+        writers.push(Box::new(match is_resumed {
+            false => HistoryOutput::open(names, simulation)?,
+            true => HistoryOutput::closed(),
+        }));
+    }
+    let is_classic = simulation.classic_joints().is_some();
+    if is_classic && formats.contains(&Format::Ym) {
+        writers.push(Box::new(match is_resumed {
+            false => SnapshotOutput::open(names, simulation)?,
+            true => SnapshotOutput::closed(names),
+        }));
+    }
+    if is_classic && formats.contains(&Format::Restart) {
+        writers.push(Box::new(RestartDeckOutput::new(names)));
+    }
+    if simulation.scene().conventions.dialect == Dialect::YGeo && formats.contains(&Format::Vtp) {
+        writers.push(Box::new(YGeoOutput::new(names)));
+    }
+    if formats.contains(&Format::D3plot) {
+        let today = jiff::Zoned::now().date();
+        let start = StartDate {
+            day: today.day().unsigned_abs(),
+            month: today.month().unsigned_abs(),
+            year: today.year().unsigned_abs(),
+        };
+        writers.push(Box::new(D3plotOutput::new(names, start, options.legacy_d3plot)));
+    }
+    if formats.contains(&Format::Vtu) {
+        writers.push(Box::new(VtuOutput::new(names)));
+    }
+    if !options.states.is_empty() {
+        writers.push(Box::new(StateFileOutput::new(names, options.states.iter().copied())));
+    }
+    Ok(writers)
+}

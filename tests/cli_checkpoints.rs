@@ -1,0 +1,181 @@
+//! Runs that are stopped or killed and gone on with, as their users see it.
+#![cfg(unix)]
+
+mod support;
+
+use std::{
+    fs,
+    path::Path,
+    process::{Child, Command, Output, Stdio},
+    thread::sleep,
+    time::{Duration, Instant},
+};
+use support::spoilt_deck::{edited, write};
+use tempfile::TempDir;
+
+/// A folder with a deck of so many steps, which writes a state every 50.
+fn folder(steps: &str) -> TempDir {
+    let folder = TempDir::new().expect("a temporary folder");
+    let deck =
+        edited(&[("MCSTEP 20", steps), ("DCSTEC 1e-5", "DCSTEC 1e-9"), ("ICOUTF 10", "ICOUTF 50")]);
+    write(folder.path(), "deck.y", deck.as_bytes());
+    folder
+}
+
+fn command(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ypsilon"));
+    command.current_dir(folder).args(arguments).stdin(Stdio::null());
+    command
+}
+
+fn run(folder: &TempDir, arguments: &[&str]) -> Output {
+    command(folder, arguments).output().expect("the program runs")
+}
+
+fn stdout(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stdout).into_owned()
+}
+
+fn stderr(output: &Output) -> String {
+    String::from_utf8_lossy(&output.stderr).into_owned()
+}
+
+fn start(folder: &TempDir, arguments: &[&str]) -> Child {
+    let mut command = command(folder, arguments);
+    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
+}
+
+fn wait_until(what: &str, is_so: impl Fn() -> bool) {
+    let started = Instant::now();
+    while !is_so() {
+        assert!(started.elapsed() < Duration::from_secs(60), "{what}");
+        sleep(Duration::from_millis(5));
+    }
+}
+
+fn signal(child: &Child, name: &str) {
+    let status = Command::new("kill").args([name, &child.id().to_string()]).status();
+    assert!(status.expect("kill runs").success());
+}
+
+/// Names and bytes of all result files that tell nothing of dates and durations.
+fn results(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut files = Vec::new();
+    for entry in fs::read_dir(folder).expect("the folder").flatten() {
+        let name = entry.file_name().to_string_lossy().into_owned();
+        if !["Ytmp", "deck.y", "deck.checkpoint", "deck.run.json"].contains(&name.as_str()) {
+            files.push((name, fs::read(entry.path()).expect("a result")));
+        }
+    }
+    files.sort();
+    files
+}
+
+fn assert_same(resumed: &TempDir, straight: &TempDir) {
+    let (resumed, straight) = (results(resumed.path()), results(straight.path()));
+    let names = |files: &[(String, Vec<u8>)]| -> Vec<String> {
+        files.iter().map(|(name, _)| name.clone()).collect()
+    };
+    assert_eq!(names(&resumed), names(&straight));
+    for ((name, resumed), (_, straight)) in resumed.iter().zip(&straight) {
+        assert!(resumed == straight, "{name} differs");
+    }
+}
+
+const STEPS: &str = "MCSTEP 400000";
+
+/// A run of all steps that nobody stops.
+fn straight(formats: &str) -> TempDir {
+    let straight = folder(STEPS);
+    let output = run(&straight, &["deck.y", "--formats", formats, "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    straight
+}
+
+fn part_length(folder: &TempDir) -> u64 {
+    fs::metadata(folder.path().join("deck.part")).map_or(0, |file| file.len())
+}
+
+#[test]
+fn an_interrupted_run_goes_on_where_it_stopped() {
+    let stopped = folder(STEPS);
+    let child = start(&stopped, &["deck.y", "--formats", "d3plot,yh", "--checkpoint"]);
+    wait_until("the run gets on", || part_length(&stopped) > 20_000);
+    signal(&child, "-INT");
+    let output = child.wait_with_output().expect("the program ends");
+    assert_eq!(output.status.code(), Some(130));
+    assert!(stdout(&output).contains("with --resume"), "{}", stdout(&output));
+    // formats are those of the first part
+    let output = run(&stopped, &["deck.y", "--resume"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("400000 steps"), "{}", stdout(&output));
+    assert_same(&stopped, &straight("d3plot,yh"));
+}
+
+#[test]
+fn a_killed_run_goes_on_from_its_last_checkpoint() {
+    let killed = folder(STEPS);
+    let arguments = ["deck.y", "--formats", "d3plot,yh", "--checkpoint-every", "17000"];
+    let mut child = start(&killed, &arguments);
+    let checkpoint = killed.path().join("deck.checkpoint");
+    wait_until("the run gets on", || checkpoint.exists() && part_length(&killed) > 50_000);
+    signal(&child, "-KILL");
+    child.wait().expect("it ends");
+    assert!(killed.path().join("deck.part").exists(), "it was killed on the way");
+    // and killed once more
+    let mut arguments = arguments.to_vec();
+    arguments.push("--resume");
+    let before = part_length(&killed);
+    let mut child = start(&killed, &arguments);
+    wait_until("the run gets on", || part_length(&killed) > before + 30_000);
+    signal(&child, "-KILL");
+    child.wait().expect("it ends");
+    let output = run(&killed, &["deck.y", "--resume", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_same(&killed, &straight("d3plot,yh"));
+}
+
+#[test]
+fn what_cannot_be_gone_on_with_is_refused_by_name() {
+    let folder = folder("MCSTEP 400");
+    let code = |arguments: &[&str]| {
+        let output = run(&folder, arguments);
+        (output.status.code(), stderr(&output))
+    };
+    let (exit, said) = code(&["deck.y", "--resume"]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("cannot read the checkpoint ./deck.checkpoint"), "{said}");
+    assert!(results(folder.path()).is_empty(), "no file was touched");
+
+    let (exit, said) = code(&["deck.y", "--steps", "90", "--checkpoint", "-q"]);
+    assert_eq!((exit, said.as_str()), (Some(0), ""));
+    let (exit, said) = code(&["deck.y", "--resume=deck.y"]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("deck.y is no checkpoint of Ypsilon"), "{said}");
+    let (exit, said) = code(&["deck.y", "--resume", "--formats", "d3plot"]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("it wrote yh, d3plot, vtu"), "{said}");
+    let (exit, said) = code(&["deck.y", "--resume", "--dialect", "classic"]);
+    assert_eq!(exit, Some(2), "{said}");
+
+    let deck = fs::read_to_string(folder.path().join("deck.y")).expect("the deck");
+    write(folder.path(), "deck.y", deck.replace("MCSTEP 400", "MCSTEP 80").as_bytes());
+    let (exit, said) = code(&["deck.y", "--resume"]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("at step 90, but MCSTEP of the deck is 80"), "{said}");
+    write(folder.path(), "deck.y", deck.replace("D1PNAX 2 0 5e3", "D1PNAX 2 0 5e4").as_bytes());
+    let (exit, said) = code(&["deck.y", "--resume"]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("deck.y is not the deck of the checkpoint"), "{said}");
+
+    write(folder.path(), "deck.y", deck.as_bytes());
+    let history = folder.path().join("deck.yh0");
+    let kept = fs::read(&history).expect("a history");
+    fs::write(&history, b"0 0\n").expect("writable");
+    let (exit, said) = code(&["deck.y", "--resume"]);
+    assert_eq!(exit, Some(3));
+    assert!(said.contains("cannot go on with ./deck.yh0"), "{said}");
+    fs::write(&history, kept).expect("writable");
+    let (exit, said) = code(&["deck.y", "--resume", "-q"]);
+    assert_eq!((exit, said.as_str()), (Some(0), ""));
+}
