@@ -43,7 +43,7 @@ fn classic_decks_with_mistakes() {
             ("keyword of the split dialect", &[("YDI/DIEDI 200", "YDI/MISTATE 6")]),
             ("no property sets", &[("NPROP 3", "NPROP 0")]),
             ("more property sets than room", &[("NPROP 3", "NPROP 4")]),
-            ("too few densities", &[("D1PERO 3 2400 0 0", "D1PERO 2 2400 0")]),
+            ("too few densities", &[("D1PERO 3 2400 0 0", "D1PERO 0")]),
             ("types missing", &[("/YD/YDP/I1PTYP 3 1 3 -1\n", "")]),
             ("density missing", &[("D1PERO 3 2400 0 0", "D1PERO 3 0 0 0")]),
             ("tensile strength missing", &[("D1PEFT 3 0 1e6 0", "D1PEFT 3 0 0 0")]),

@@ -6,7 +6,7 @@ mod support;
 use assert_cmd::Command;
 use std::fs;
 use support::{
-    spoilt_deck::{base, edited, write},
+    spoilt_deck::{base, base_of, edited, write},
     state_file::StateFile,
 };
 use tempfile::TempDir;
@@ -201,4 +201,35 @@ fn mistakes_of_later_stages_spare_the_results_of_earlier_ones() {
             assert!(!file.file_name().to_string_lossy().ends_with(".part"), "{second}{file:?}");
         }
     }
+}
+
+#[test]
+fn a_stage_of_a_classic_deck_changes_what_it_names() {
+    let first =
+        base_of("classic_glued").replace("$YSTOP\n", "").replace("I1PEMN 4 3", "I1PEMN 4 0");
+    let push = "/YD/YDC/MCSTEP 21 /YD/YDP/D1PNAX 4 0 0 0 7e3\n";
+    let fix = "/YD/YDC/MCSTEP 21 /YD/YDP/I1PNFX 4 0 0 3 3 /YD/YDP/D1PNAX 4 0 0 0 0.25\n";
+    let ramp = "/YD/YDC/MCSTEP 21 /YD/YDP/I1PNFX 4 0 0 3 3 /YD/YDP/D1PNAX 4 0 0 0 0.25
+/YD/YDC/DCGRST 1 /YD/YDC/DCRMPT 1\n";
+    let speeds = |stage: &str| {
+        let run = Run::of(&format!("{first}{stage}$YDOIT\n"), &[20, 21]);
+        assert_eq!(run.outcome.as_ref().expect("a run").steps, 21, "{:?}", run.said);
+        [run.state(20), run.state(21)].map(|state| velocities(&state)[1][0])
+    };
+    let [before, pushed] = speeds(push);
+    // mass of the node: a third of its triangles
+    let mass = 2500.0 * 0.5 / 3.0;
+    let [_, further] = speeds("/YD/YDC/MCSTEP 21\n");
+    assert!(((pushed - further) * mass / 1e-6 - 2e3).abs() < 1e-3);
+    assert_eq!(speeds(fix), [before, 0.25]);
+    assert_eq!(speeds(ramp), [before, 0.0]);
+}
+
+#[test]
+fn mesh_codes_of_a_classic_deck_act_once() {
+    let first = base_of("classic_glued").replace("$YSTOP\n", "");
+    let again = "/YD/YDC/MCSTEP 30 /YD/YDP/D1PEKS 4 1e3 0 0 0\n$YDOIT\n";
+    let run = Run::of(&format!("{first}{again}"), &[]);
+    let summary = run.outcome.as_ref().expect("a run");
+    assert_eq!((summary.steps, summary.nodes, summary.triangles), (30, 10, 2));
 }

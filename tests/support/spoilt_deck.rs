@@ -33,7 +33,7 @@ pub fn base() -> String {
     fs::read_to_string(path).expect("the base deck is part of the repository")
 }
 
-/// A sound deck of another dialect: `classic` or `ygeo`.
+/// A sound deck of another dialect: `classic`, `classic_glued` or `ygeo`.
 pub fn base_of(dialect: &str) -> String {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/bad_decks");
     fs::read_to_string(root.join(format!("base_{dialect}.y"))).expect("a committed deck")

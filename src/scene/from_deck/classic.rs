@@ -4,52 +4,15 @@ use super::{Reader, reader::Offenders};
 use crate::mechanics::aperture::Aperture;
 use crate::scene::{
     Combination, ElementKind, Elements, InitialAperture, Insertion, Interfaces, JointKind,
-    JointPair, JointRestart, LoadRamp, Material, RockJoint, Scene, SnapshotSettings,
+    JointPair, JointRestart, LoadRamp, Material, RockJoint, SnapshotSettings,
 };
 use yformat::diagnostic::Diagnostic;
 
 /// Most characters of a number in a snapshot: beyond, an integer has no room for it.
 const MOST_DIGITS: i64 = 9;
 
-/// Checks that need the whole scene.
-pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
-    let inserts = scene.insertion.as_ref().is_some_and(Insertion::inserts_joints);
-    let has_joints = scene.elements.joint_kind.iter().any(|kind| *kind != JointKind::NoJoint);
-    let sets: Vec<String> = (0..scene.cohesive_laws.len())
-        .filter(|&set| scene.cohesive_laws[set].is_cohesive)
-        .map(|set| set.to_string())
-        .collect();
-    if (inserts || has_joints) && sets.len() > 1 {
-        reader.report(
-            Diagnostic::warning(
-                "scene::joint-sets",
-                format!("property sets {} are of joints, and each acts on every joint", sets.join(", ")),
-            )
-            .at(reader.word("YDP/I1PTYP"))
-            .expected("one property set of type 3")
-            .help("as in the original joints are as stiff and strong as all sets together; give unused sets another type"),
-        );
-    }
-    let idle = |n: usize| {
-        let set = usize::try_from(scene.nodes.set[n]).ok();
-        set.and_then(|s| scene.node_sets.get(s)).is_some_and(|s| !s.moves)
-    };
-    if let Some(found) = Offenders::find(scene.nodes.len(), idle) {
-        reader.report(
-            Diagnostic::warning(
-                "scene::node-set",
-                format!(
-                    "node {} belongs to property set {}, which is none of nodes: it never moves{}",
-                    found.first,
-                    scene.nodes.set[found.first],
-                    found.more()
-                ),
-            )
-            .at(reader.entry("YDN/I1NOPR", found.first))
-            .expected("a property set whose I1PTYP is -1"),
-        );
-    }
-}
+/// Type of property sets of joints.
+pub(super) const JOINT_TYPE: i64 = 3;
 
 /// Says of each element what it is to the joints, as I1ELTY does, and numbers
 /// the property sets of joints behind those of triangles.
@@ -80,11 +43,20 @@ pub(super) fn name_joints(reader: &mut Reader<'_>, elements: &mut Elements, sets
             1 => JointKind::FreeEdge,
             2 => JointKind::PreExisting,
             3 => JointKind::Broken,
-            _ => continue,
+            _ => JointKind::NoJoint,
         };
-        elements.property[e] = elements.property[e].saturating_add(sets as i32);
     }
+    number_joints(elements, sets);
     find_sides(elements);
+}
+
+/// Numbers the property sets of joints behind those of triangles.
+pub(super) fn number_joints(elements: &mut Elements, sets: usize) {
+    for (property, kind) in elements.property.iter_mut().zip(&elements.joint_kind) {
+        if *kind != JointKind::NoJoint {
+            *property = property.saturating_add(sets as i32);
+        }
+    }
 }
 
 /// The two triangles of each joint: those whose edges have its nodes.
@@ -107,6 +79,15 @@ fn find_sides(elements: &mut Elements) {
             elements.sides[e] = [first, second];
         }
     }
+}
+
+/// Number of the last property set of one of these types, plus one: the arrays of the common table
+/// have to be given up to there.
+pub(super) fn sets_up_to(reader: &Reader<'_>, types: &[i64]) -> usize {
+    let Some(kinds) = reader.integer_field("YDP/I1PTYP") else { return 0 };
+    let given = kinds.given_shape().last().copied().unwrap_or(0);
+    let sets = usize::try_from(reader.integer("YDP/NPROP")).unwrap_or(0).min(given);
+    (0..sets).rev().find(|&set| types.contains(&kinds.get1(set))).map_or(0, |set| set + 1)
 }
 
 /// Staged loading.
@@ -141,10 +122,10 @@ pub(super) fn insertion(reader: &mut Reader<'_>, materials: &[Material]) -> Opti
         .map(|&m| JointPair { materials: [m as i32; 2], joint_set: materials[m].joint_set })
         .collect();
     let kinds = reader.integers("YDP/I1PTYP", -1);
-    if let Some(pair) = pairs.iter().find(|pair| {
-        let set = usize::try_from(pair.joint_set).ok();
-        set.is_none_or(|s| s >= materials.len() || kinds(s) != 3)
-    }) {
+    let joins = |set: i32| {
+        usize::try_from(set).is_ok_and(|set| set < materials.len() && kinds(set) == JOINT_TYPE)
+    };
+    if let Some(pair) = pairs.iter().find(|pair| !joins(pair.joint_set)) {
         let material = pair.materials[0] as usize;
         reader.report(
             Diagnostic::error(
@@ -157,7 +138,8 @@ pub(super) fn insertion(reader: &mut Reader<'_>, materials: &[Material]) -> Opti
             .at(reader
                 .entry("YDP/I1PEJP", material)
                 .or_else(|| reader.entry("YDP/I1PEMN", material)))
-            .expected("the number of a property set of type 3"),
+            .expected("the number of a property set of type 3")
+            .help("give it with /YD/YDP/I1PEJP"),
         );
     }
     let capacity = |name| usize::try_from(reader.integer(name)).unwrap_or(0);
@@ -215,7 +197,7 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
                     "scene::output-scale",
                     format!("{name}, the scale of {what} in snapshots, is not given"),
                 )
-                .expected(format!("/YD/{name} with a value that no result exceeds"))
+                .expected(format!("/YD/{name} with {}", usual_scale(name)))
                 .help("a default is taken here; the original takes whatever lies in its memory"),
             );
         }
@@ -231,6 +213,7 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
             .expected(format!("1 to {MOST_DIGITS}; decks use 4")),
         );
     }
+    check_scales(reader);
     let number = |name| u64::try_from(reader.integer(name)).unwrap_or(0);
     let real = |name| reader.real(name);
     SnapshotSettings {
@@ -243,6 +226,37 @@ pub(super) fn snapshots(reader: &mut Reader<'_>) -> SnapshotSettings {
         digits: u8::try_from(digits).unwrap_or(2),
         first_number: number("YDC/ICOUTI"),
         restart_interval: number("YDC/ICSAVF"),
+    }
+}
+
+/// What the scale of a quantity in snapshots should be.
+fn usual_scale(name: &str) -> &'static str {
+    if name == APERTURE_SCALE {
+        "an aperture above 0 and other than 1, such as 1e-7"
+    } else {
+        "a value that no result exceeds"
+    }
+}
+
+/// Scale of apertures, which are shown as logarithms.
+const APERTURE_SCALE: &str = "YDC/DCSIZA";
+
+/// Snapshots show values divided by their scales.
+fn check_scales(reader: &mut Reader<'_>) {
+    for name in
+        ["YDC/DCSIZC", "YDC/DCSIZF", "YDC/DCSIZS", "YDC/DCSIZV", "YDC/DCSIZD", APERTURE_SCALE]
+    {
+        let value = reader.real(name);
+        if value == 0.0 || (name == APERTURE_SCALE && (value < 0.0 || value == 1.0)) {
+            reader.report(
+                Diagnostic::warning(
+                    "scene::output-scale",
+                    format!("{name} is {value}: what it scales cannot be read from snapshots"),
+                )
+                .at(reader.place(name))
+                .expected(usual_scale(name)),
+            );
+        }
     }
 }
 

@@ -102,7 +102,11 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
                 "no element takes part in contact: no node is flagged as boundary",
             )
             .at(reader.word("YDN/I1NOBF").or_else(|| reader.word("YDI/MICOUP")))
-            .expected("1 in I1NOBF for boundary nodes, or IWFAST 0 to let all elements take part"),
+            .expected(if reader.knows("YDC/IWFAST") {
+                "1 in I1NOBF for boundary nodes, or IWFAST 0 to let all elements take part"
+            } else {
+                "1 in I1NOBF for boundary nodes"
+            }),
         );
     }
     if contact.initial_travel < contact.buffer {
@@ -120,8 +124,13 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
             .expected("a large number such as 200, which makes the first step look for contact"),
         );
     }
-    if contact.pairs == PairRule::SmallerOfEach {
-        check_penalties(reader, scene);
+    match contact.pairs {
+        PairRule::SmallerOfEach => {
+            check_penalties(reader, scene);
+            check_tangential_penalties(reader, scene);
+        }
+        PairRule::InterfaceFriction => check_penalties(reader, scene),
+        PairRule::Table(_) => {}
     }
 }
 
@@ -143,9 +152,17 @@ fn check_penalties(reader: &mut Reader<'_>, scene: &Scene) {
                 ),
             )
             .at(reader.entry("YDPE/D1PEPE", found.first).or_else(|| reader.word("YDPE/NPROP")))
-            .expected("a penalty of 10 to 100 times the elastic modulus in /YD/YDPE/D1PEPE"),
+            .expected(format!(
+                "a penalty of 10 to 100 times the elastic modulus in /YD/{}",
+                reader.called("YDPE/D1PEPE")
+            )),
         );
     }
+}
+
+fn check_tangential_penalties(reader: &mut Reader<'_>, scene: &Scene) {
+    let used = |set: usize| scene.elements.property.contains(&(set as i32));
+    let sets = scene.materials.len();
     let frictional = |set: usize| {
         let m = &scene.materials[set];
         m.kind != ElementKind::SofteningTriangle

@@ -164,13 +164,16 @@ pub(super) fn check_properties(
     if let Some(found) = Offenders::find(len, wrong) {
         let e = found.first;
         let code = property(e);
-        let (kind, expected) = if is_joint(e) {
+        let (kind, expected) = if is_joint(e) && numbering == Dialect::Classic {
+            ("joint", format!("a property set: {}", numbers_of(materials)))
+        } else if is_joint(e) {
             (
                 "joint",
                 format!("{first_law} to {} for live joints, -1000 or -1001 for dead ones", end - 1),
             )
         } else {
-            ("triangle", format!("an element property set: {}", numbers_of(materials)))
+            let what = if numbering == Dialect::Classic { "a" } else { "an element" };
+            ("triangle", format!("{what} property set: {}", numbers_of(materials)))
         };
         reader.report(
             Diagnostic::error(

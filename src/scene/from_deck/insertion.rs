@@ -1,13 +1,13 @@
 use super::{Reader, classic, joints, nodes::to_i32, reader::numbers_of};
 use crate::scene::{Combination, Insertion, Interfaces, JointPair, Material, Scene};
-use yformat::{database::Field, diagnostic::Diagnostic, dialect::Dialect};
+use yformat::{database::Field, diagnostic::Diagnostic, source::Span};
 
 pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<Insertion> {
     // without materials their count or types are wrong, which has been reported
     if materials.is_empty() {
         return None;
     }
-    if reader.database.dialect() == Dialect::Classic {
+    if reader.is_classic() {
         return classic::insertion(reader, materials);
     }
     let table = reader.integer_field("YDPM/I2PMSET").filter(|f| f.item().is_some())?;
@@ -78,18 +78,8 @@ fn combination(
         );
         return None;
     }
-    if code.to_string().chars().any(|digit| !('0'..='4').contains(&digit)) {
-        reader.report(
-            Diagnostic::warning(
-                "scene::mesh-code",
-                format!("mesh code {code} has digits that do nothing"),
-            )
-            .at(reader.entry_at("YDPM/I2PMSET", [1, record, 0]))
-            .expected(
-                "digits 1 (into 4), 2 (into 6), 3 (joints), 4 (separate), done from the right",
-            ),
-        );
-    }
+    let place = reader.entry_at("YDPM/I2PMSET", [1, record, 0]);
+    check_digits(reader, code, place);
     Some(Combination { code, materials: listed.into_iter().map(|m| m as usize).collect() })
 }
 
@@ -110,14 +100,14 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
                     "scene::mesh-code",
                     format!("mesh code {} makes {triangles} triangles", combination.code),
                 )
-                .at(reader.entry_at("YDPM/I2PMSET", [1, record, 0]))
+                .at(code_place(reader, record, combination))
                 .expected(format!("at most {MOST_TRIANGLES} triangles"))
                 .help("each digit 1 makes 4 triangles of one, each digit 2 makes 6: use fewer"),
             );
             return;
         }
     }
-    if insertion.changes_mesh() && scene.elements.state.is_empty() {
+    if insertion.changes_mesh() && scene.elements.state.is_empty() && !reader.is_classic() {
         reader.report(
             Diagnostic::note(
                 "scene::original-needs",
@@ -125,6 +115,30 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
             )
             .at(reader.word("YDPM/I2PMSET"))
             .help("add /YD/YDE/MELST 1 behind MELEM to run the deck with the original, too"),
+        );
+    }
+}
+
+/// Where a meshing code stands: in its record, or at its material in the classic dialect.
+fn code_place(reader: &Reader<'_>, record: usize, combination: &Combination) -> Option<Span> {
+    if reader.is_classic() {
+        return reader.entry("YDP/I1PEMN", *combination.materials.first()?);
+    }
+    reader.entry_at("YDPM/I2PMSET", [1, record, 0])
+}
+
+/// Reports a meshing code with digits beyond those that mesh.
+pub(super) fn check_digits(reader: &mut Reader<'_>, code: i64, place: Option<Span>) {
+    if code.to_string().chars().any(|digit| !('0'..='4').contains(&digit)) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::mesh-code",
+                format!("mesh code {code} has digits that do nothing"),
+            )
+            .at(place)
+            .expected(
+                "digits 1 (into 4), 2 (into 6), 3 (joints), 4 (separate), done from the right",
+            ),
         );
     }
 }

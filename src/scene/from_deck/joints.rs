@@ -3,20 +3,31 @@ use super::{
     reader::{Offenders, numbers_of},
     ygeo,
 };
-use crate::scene::{CohesiveLaw, RockJoint, Scene};
+use crate::scene::{CohesiveLaw, CohesiveModel, RockJoint, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// What cohesive laws are called in findings.
 const WHAT: &str = "joint property sets";
 
+/// Arrays that the cohesive law of the classic dialect reads.
+const CLASSIC_ARRAYS: [&str; 7] = [
+    "YDPJ/D1PJFT",
+    "YDPJ/D1PJGF",
+    "YDPJ/D1PJGS",
+    "YDPJ/D1PJPE",
+    "YDPJ/D1PJCO",
+    "YDPJ/D1PJFR",
+    "YDPE/D1PEFR",
+];
+
 pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
-    let len = reader.count_of_sets("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT);
+    let len = reader.count_of_sets("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT, 0);
     let real = |name| reader.reals(name, 0.0);
     let (ft, fs, gf) = (real("YDPJ/D1PJFT"), real("YDPJ/D1PJFS"), real("YDPJ/D1PJGF"));
     let one_energy = reader.database.dialect() == Dialect::Split;
     let gs = real(if one_energy { "YDPJ/D1PJGF" } else { "YDPJ/D1PJGS" });
     let layering = ygeo::layering(reader);
-    let is_classic = reader.database.dialect() == Dialect::Classic;
+    let is_classic = reader.is_classic();
     let residual = real("YDPE/D1PEFR");
     let (co, fr, pe) = (real("YDPJ/D1PJCO"), real("YDPJ/D1PJFR"), real("YDPJ/D1PJPE"));
     let kind = reader.integers("YDPJ/I1PTYP", -1);
@@ -46,6 +57,12 @@ fn used_sets(scene: &Scene) -> Vec<usize> {
     let of_pairs = inserting.flat_map(|i| &i.pairs).map(|pair| pair.joint_set);
     let mut used: Vec<usize> =
         of_elements.chain(of_pairs).filter_map(|set| usize::try_from(set).ok()).collect();
+    // in the classic dialect every joint set acts on every joint
+    if scene.conventions.cohesive == CohesiveModel::Classic && !used.is_empty() {
+        used.extend(
+            (0..scene.cohesive_laws.len()).filter(|&set| scene.cohesive_laws[set].is_cohesive),
+        );
+    }
     used.sort_unstable();
     used.dedup();
     used
@@ -89,21 +106,32 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     if sets.is_empty() || !check_given(reader, scene) {
         return;
     }
-    for set in sets {
-        check_law(reader, set, &scene.cohesive_laws[set]);
+    for &set in &sets {
+        if scene.cohesive_laws[set].is_cohesive {
+            check_law(reader, set, &scene.cohesive_laws[set]);
+        } else {
+            report_type(reader, set, scene);
+        }
+    }
+    let end = sets.last().map_or(0, |last| last + 1);
+    for name in ["YDPJ/D1PJGF", "YDPJ/D1PJGS"] {
+        reader.check_at_least(name, end, 0.0, false, "fracture energy");
     }
 }
 
 /// Whether the deck gives all arrays that the cohesive law reads.
 fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     let laws = &scene.cohesive_laws;
+    if reader.is_classic() {
+        let needed = classic::sets_up_to(reader, &[classic::JOINT_TYPE]);
+        return CLASSIC_ARRAYS
+            .iter()
+            .all(|name| needed == 0 || reader.required_reals(name, WHAT, needed).is_some());
+    }
     let mut given = reader.required_integers("YDPJ/I1PTYP", WHAT, laws.len()).is_some();
     let mut arrays = vec!["YDPJ/D1PJFT", "YDPJ/D1PJGF", "YDPJ/D1PJPE"];
     if laws.iter().any(|law| law.cohesion <= 0.0) {
         arrays.push("YDPJ/D1PJFS");
-    }
-    if laws.iter().all(|law| law.cohesion > 0.0) || !reader.knows("YDPJ/D1PJFS") {
-        arrays.retain(|name| *name != "YDPJ/D1PJFS");
     }
     for name in arrays.into_iter().filter(|_| laws.iter().any(|law| law.is_cohesive)) {
         given &= reader.required_reals(name, WHAT, laws.len()).is_some();
@@ -111,18 +139,29 @@ fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     given
 }
 
+fn report_type(reader: &mut Reader<'_>, set: usize, scene: &Scene) {
+    let acts = reader.is_classic() && scene.cohesive_laws.iter().any(|law| law.is_cohesive);
+    let (message, help) = if acts {
+        (
+            format!("joints have property set {set}, which has not type 3"),
+            Some(
+                "in this dialect all sets of type 3 act on every joint: of its own set a joint takes only D1PCOH at the start",
+            ),
+        )
+    } else {
+        (format!("joint set {set} has not type 3: its joints carry nothing"), None)
+    };
+    let expected = format!("3, the type of 2D joints, in /YD/{}", reader.called("YDPJ/I1PTYP"));
+    let finding = Diagnostic::warning("scene::joint-type", message)
+        .at(reader.entry("YDPJ/I1PTYP", set).or_else(|| reader.word("YDPJ/NPJSET")))
+        .expected(expected);
+    reader.report(match help {
+        Some(help) => finding.help(help),
+        None => finding,
+    });
+}
+
 fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {
-    if !law.is_cohesive {
-        reader.report(
-            Diagnostic::warning(
-                "scene::joint-type",
-                format!("joint set {set} has not type 3: its joints carry nothing"),
-            )
-            .at(reader.entry("YDPJ/I1PTYP", set).or_else(|| reader.word("YDPJ/NPJSET")))
-            .expected("3, the type of 2D joints, in /YD/YDPJ/I1PTYP"),
-        );
-        return;
-    }
     for (name, quantity, value) in [
         ("YDPJ/D1PJFT", "tensile strength", law.tensile_strength),
         ("YDPJ/D1PJPE", "joint penalty", law.penalty),
@@ -131,7 +170,6 @@ fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {
             report_value(reader, set, name, quantity, value);
         }
     }
-    reader.check_at_least("YDPJ/D1PJGF", set + 1, 0.0, false, "fracture energy");
     if law.initial_shear_strength() <= 0.0 {
         report_value(reader, set, "YDPJ/D1PJFS", "shear strength", law.initial_shear_strength());
     }
@@ -139,14 +177,15 @@ fn check_law(reader: &mut Reader<'_>, set: usize, law: &CohesiveLaw) {
 
 fn report_value(reader: &mut Reader<'_>, set: usize, name: &str, quantity: &str, value: f64) {
     let place = reader.entry(name, set).or_else(|| reader.word("YDPJ/NPJSET"));
+    let called = reader.called(name);
     reader.report(
         Diagnostic::error(
             "scene::value-range",
-            format!("{name}: the {quantity} of joint set {set} is {value}"),
+            format!("{called}: the {quantity} of joint set {set} is {value}"),
         )
         .at(place)
         .expected(format!("a {quantity} above 0: the cohesive law divides by it"))
-        .help(format!("give it with /YD/{name}")),
+        .help(format!("give it with /YD/{called}")),
     );
 }
 

@@ -1,13 +1,21 @@
 use super::{Reader, classic, nodes::to_i32, reader::numbers_of, ygeo};
-use crate::scene::{ElementKind, Material, Scene};
+use crate::scene::{ElasticLaw, ElementKind, Material, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
+/// Types of elastic triangles in the classic dialect.
+const ELASTIC: [i64; 1] = [1];
+/// Types of triangles in the classic dialect.
+const TRIANGLES: [i64; 2] = [1, 2];
+
 pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
-    let len = reader.count("YDPE/NPROP", "YDPE/MPROP", "element property sets", 1);
-    let what = "element property sets";
+    let what = if reader.is_classic() { "property sets" } else { "element property sets" };
+    let len = reader.count_of_sets("YDPE/NPROP", "YDPE/MPROP", what, 1);
     let kinds = reader.required_integers("YDPE/I1PTYP", what, len);
-    for name in ["YDPE/D1PELA", "YDPE/D1PEMU", "YDPE/D1PERO"] {
-        let _ = reader.required_reals(name, what, len);
+    for (name, sets) in
+        [("YDPE/D1PELA", &ELASTIC[..]), ("YDPE/D1PEMU", &ELASTIC), ("YDPE/D1PERO", &TRIANGLES)]
+    {
+        let needed = if reader.is_classic() { classic::sets_up_to(reader, sets) } else { len };
+        let _ = reader.required_reals(name, what, needed);
     }
     for (name, quantity) in [
         ("YDPE/D1PELA", "Lamé constant"),
@@ -17,6 +25,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
         ("YDPE/D1PEPE", "contact penalty"),
         ("YDPE/D1PEPT", "tangential contact penalty"),
         ("YDPE/D1PEFR", "friction coefficient"),
+        ("YDPE/D1PBIF", "friction coefficient between sets"),
     ] {
         reader.check_at_least(name, len, 0.0, false, quantity);
     }
@@ -36,7 +45,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
     (0..len)
         .map(|i| Material {
             kind: kind(reader, i, kinds.get1(i)),
-            elastic_law: ygeo::elastic_law(reader, i, kinds.get1(i)),
+            elastic_law: elastic_law(reader, i, kinds.get1(i)),
             lame_lambda: lambda(i),
             shear_modulus: mu(i),
             viscosity: eta(i),
@@ -56,9 +65,17 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
         .collect()
 }
 
+/// Other dialects have one law only.
+fn elastic_law(reader: &mut Reader<'_>, set: usize, code: i64) -> ElasticLaw {
+    match reader.database.dialect() {
+        Dialect::YGeo => ygeo::elastic_law(reader, set, code),
+        _ => ElasticLaw::NeoHookean,
+    }
+}
+
 fn kind(reader: &mut Reader<'_>, set: usize, code: i64) -> ElementKind {
     let is_linear = |code| reader.database.dialect() == Dialect::YGeo && (5..=6).contains(&code);
-    if reader.database.dialect() == Dialect::Classic {
+    if reader.is_classic() {
         return classic::kind(reader, set, code);
     }
     match code {
@@ -97,7 +114,11 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     let reads_stretch = |m: &Material| {
         matches!(m.kind, ElementKind::ElasticTriangle | ElementKind::SofteningTriangle)
     };
-    if !reader.is_given("YDPE/D1PSEM") && scene.materials.iter().any(reads_stretch) {
+    let original_reads_it = reader.database.dialect() == Dialect::Split;
+    if original_reads_it
+        && !reader.is_given("YDPE/D1PSEM")
+        && scene.materials.iter().any(reads_stretch)
+    {
         reader.report(
             Diagnostic::note(
                 "scene::original-needs",
@@ -120,7 +141,7 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
                 )
                 .at(reader.entry("YDPE/D1PERO", set))
                 .expected("a density above 0")
-                .help("give it with /YD/YDPE/D1PERO"),
+                .help(format!("give it with /YD/{}", reader.called("YDPE/D1PERO"))),
             );
         }
         if material.kind == ElementKind::SofteningTriangle {

@@ -6,6 +6,7 @@
 //! findings.
 
 mod classic;
+mod classic_use;
 mod contact;
 mod control;
 mod elements;
@@ -111,7 +112,7 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         contact::check_use(reader, &scene);
         probes::check_use(reader, &scene);
         if is_classic {
-            classic::check_use(reader, &scene);
+            classic_use::check(reader, &scene);
         }
     }
     Some(scene)

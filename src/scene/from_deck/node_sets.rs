@@ -1,5 +1,5 @@
 use super::{
-    Profile, Reader,
+    Profile, Reader, classic,
     reader::{Offenders, numbers_of},
 };
 use crate::{
@@ -10,7 +10,8 @@ use nalgebra::{Matrix2, Vector2};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>> {
-    let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets");
+    let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets", 0);
+    check_given(reader, len);
     let codes = [reader.integers("YDPN/I1PNFX", -1), reader.integers("YDPN/I1PNFY", -1)];
     // the other programs have no default
     let unloaded = if reader.database.dialect() == Dialect::Split { 1.0 } else { 0.0 };
@@ -19,11 +20,13 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
     let x_axis = [reader.reals("YDPN/D1PNXX", 1.0), reader.reals("YDPN/D1PNXY", 0.0)];
     let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
     let absorbs = absorbs(reader);
-    let is_classic = reader.database.dialect() == Dialect::Classic;
-    let kind = reader.integers("YDPE/I1PTYP", NODE_SET);
+    let is_classic = reader.is_classic();
+    let kind = reader.integers("YDPE/I1PTYP", 0);
     let moves = |set: usize| !is_classic || kind(set) == NODE_SET;
-    let (factor, factor_step) =
-        (reader.reals("YDPN/D1PNAF", 1.0), reader.reals("YDPN/D1PNAI", 0.0));
+    let (factor, factor_step) = (
+        reader.reals("YDPN/D1PNAF", if is_classic { 0.0 } else { 1.0 }),
+        reader.reals("YDPN/D1PNAI", 0.0),
+    );
     let sets = (0..len)
         .map(|set| {
             let axes = [
@@ -46,9 +49,78 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
             }
         })
         .collect::<Vec<_>>();
-    check_codes(reader, len);
+    check_codes(reader, &sets);
     check_amplitudes(reader, &sets);
+    if is_classic {
+        check_edge_factors(reader, &sets);
+    } else {
+        note_edge_factors(reader, sets.len());
+    }
     sets
+}
+
+/// The classic dialect has no values for arrays that are not given.
+fn check_given(reader: &mut Reader<'_>, len: usize) {
+    let needed = classic::sets_up_to(reader, &[NODE_SET]).min(len);
+    if !reader.is_classic() || needed == 0 {
+        return;
+    }
+    for name in ["YDPN/I1PNFX", "YDPN/I1PNFY"] {
+        let _ = reader.required_integers(name, "property sets of nodes", needed);
+    }
+    for name in ["YDPN/D1PNAX", "YDPN/D1PNAY"] {
+        let _ = reader.required_reals(name, "property sets of nodes", needed);
+    }
+}
+
+/// Pressure and traction are multiplied by a factor that is 0 where the deck gives none.
+fn check_edge_factors(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
+    let lost = |set: usize| {
+        let set = &sets[set];
+        (set.pressure != 0.0 || set.traction != 0.0)
+            && set.edge_factor == 0.0
+            && set.edge_factor_step == 0.0
+    };
+    if let Some(found) = Offenders::find(sets.len(), lost) {
+        let (load, name) = if sets[found.first].pressure == 0.0 {
+            ("traction", "YDPN/D1PNAT")
+        } else {
+            ("pressure", "YDPN/D1PNAP")
+        };
+        let factor = reader.called("YDPN/D1PNAF");
+        reader.report(
+            Diagnostic::warning(
+                "scene::edge-factor",
+                format!(
+                    "the {load} of property set {} does nothing: its factor D1PNAF is 0{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader
+                .entry("YDPN/D1PNAF", found.first)
+                .or_else(|| reader.entry(name, found.first)))
+            .expected(format!("1 in /YD/{factor}, or a growth per step in D1PNAI"))
+            .help(if reader.is_given("YDPN/D1PNAF") {
+                "pressure and traction are multiplied by D1PNAF"
+            } else {
+                "pressure and traction are multiplied by D1PNAF, without which the original cannot run"
+            }),
+        );
+    }
+}
+
+fn note_edge_factors(reader: &mut Reader<'_>, sets: usize) {
+    let factor = reader.reals("YDPN/D1PNAF", 1.0);
+    if let Some(found) = Offenders::find(sets, |set| factor(set) != 1.0) {
+        reader.report(
+            Diagnostic::note(
+                "scene::no-effect",
+                "D1PNAF has no effect in 2D: the load-time table replaces it",
+            )
+            .at(reader.entry("YDPN/D1PNAF", found.first)),
+        );
+    }
 }
 
 /// Type of the property sets of nodes in the classic dialect's common table.
@@ -94,7 +166,8 @@ fn check_axes(
     }
     let skew =
         axes.iter().any(|a| (a.norm() - 1.0).abs() > 1e-6) || axes[0].dot(&axes[1]).abs() > 1e-6;
-    if profile == Profile::Source {
+    let is_split = reader.database.dialect() == Dialect::Split;
+    if is_split && profile == Profile::Source {
         axes = axes.map(|a| Vector2::new(a.x / a.norm(), a.y / a.norm()));
     } else if skew {
         reader.report(
@@ -103,15 +176,21 @@ fn check_axes(
                 format!("the local axes of node set {set} are not perpendicular unit vectors"),
             )
             .at(place(reader))
-            .help("as in the Windows program they are taken as they are and scale the motion; `--profile source` normalises them"),
+            .help(if is_split {
+                "as in the Windows program they are taken as they are and scale the motion; `--profile source` normalises them"
+            } else {
+                "as in the original they are taken as they are and scale the motion"
+            }),
         );
     }
     Matrix2::from_columns(&axes)
 }
 
-fn check_codes(reader: &mut Reader<'_>, len: usize) {
+fn check_codes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
+    let len = sets.len();
     for (name, axis) in [("YDPN/I1PNFX", "x"), ("YDPN/I1PNFY", "y")] {
-        if len > 0 && !reader.is_given(name) {
+        // in the classic dialect that is an error
+        if len > 0 && !reader.is_given(name) && !reader.is_classic() {
             reader.report(
                 Diagnostic::warning(
                     "scene::frozen-nodes",
@@ -124,7 +203,7 @@ fn check_codes(reader: &mut Reader<'_>, len: usize) {
         }
         let code = reader.integers(name, -1);
         let last = if absorbs(reader) { 4 } else { 3 };
-        if let Some(found) = Offenders::find(len, |set| code(set) > last) {
+        if let Some(found) = Offenders::find(len, |set| sets[set].moves && code(set) > last) {
             let value = code(found.first);
             let meaning = if value == 4 { " (absorbing boundary in Y-Geo)" } else { "" };
             reader.report(
@@ -145,7 +224,7 @@ fn check_codes(reader: &mut Reader<'_>, len: usize) {
 
 fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
     for (k, name) in ["YDPN/D1PNAX", "YDPN/D1PNAY"].into_iter().enumerate() {
-        let loaded = sets.iter().any(|s| s.conditions[k] != Condition::Frozen);
+        let loaded = sets.iter().any(|s| s.moves && s.conditions[k] != Condition::Frozen);
         let default_is_one = reader.database.dialect() == Dialect::Split;
         if loaded && default_is_one && !reader.is_given(name) {
             reader.report(
@@ -157,19 +236,6 @@ fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
                 .help(format!("add /YD/{name} with a 0 for each node set without load")),
             );
         }
-    }
-    if reader.database.dialect() == Dialect::Classic {
-        return;
-    }
-    let factor = reader.reals("YDPN/D1PNAF", 1.0);
-    if let Some(found) = Offenders::find(sets.len(), |set| factor(set) != 1.0) {
-        reader.report(
-            Diagnostic::note(
-                "scene::no-effect",
-                "D1PNAF has no effect in 2D: the load-time table replaces it",
-            )
-            .at(reader.entry("YDPN/D1PNAF", found.first)),
-        );
     }
 }
 
@@ -229,6 +295,11 @@ fn check_times(reader: &mut Reader<'_>, history: &LoadHistory) {
 
 /// Checks that need the whole scene.
 pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+    check_sets_of_nodes(reader, scene);
+    check_coverage(reader, scene);
+}
+
+fn check_sets_of_nodes(reader: &mut Reader<'_>, scene: &Scene) {
     let sets = scene.node_sets.len() as i32;
     let set_of = &scene.nodes.set;
     if let Some(found) = Offenders::find(set_of.len(), |n| !(0..sets).contains(&set_of[n])) {
@@ -243,15 +314,20 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
                 ),
             )
             .at(reader.entry("YDN/I1NOPR", found.first))
-            .expected(if sets == 0 {
+            .expected(if reader.is_classic() {
+                "a property set of type -1 (nodes)".to_owned()
+            } else if sets == 0 {
                 "node sets: /YD/YDPN/MPNSET, NPNSET and their arrays".to_owned()
             } else {
                 format!("a node set: {}", numbers_of(scene.node_sets.len()))
             })
-            .help("node sets are numbered from 0; correct I1NOPR, or raise NPNSET"),
+            .help(if reader.is_classic() {
+                "property sets are numbered from 0; correct I1NOPR, or raise NPROP"
+            } else {
+                "node sets are numbered from 0; correct I1NOPR, or raise NPNSET"
+            }),
         );
     }
-    check_coverage(reader, scene);
 }
 
 fn check_coverage(reader: &mut Reader<'_>, scene: &Scene) {

@@ -5,6 +5,9 @@ use crate::{
 };
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
+/// Type of the kinetic energy, the only one of the classic dialect.
+const KINETIC_ENERGY: i64 = 15;
+
 pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
     let len = reader.count("YDO/NOHYS", "YDO/MOHYS", "histories", 0);
     let threshold = reader.real("YDO/DOHYP");
@@ -34,6 +37,18 @@ pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
 }
 
 fn quantity(reader: &mut Reader<'_>, history: usize, code: i64) -> ProbeQuantity {
+    if reader.is_classic() && code != KINETIC_ENERGY {
+        reader.report(
+            Diagnostic::note(
+                "scene::history-type",
+                format!("history {history} has type {code}, which this dialect never updates"),
+            )
+            .at(reader.entry("YDO/I1OHYT", history))
+            .expected("15, the kinetic energy")
+            .help("as in the original its file has only the line of the first step"),
+        );
+        return ProbeQuantity::NeverUpdated(code);
+    }
     match code {
         1 => ProbeQuantity::StressXx,
         2 => ProbeQuantity::StressXy,
@@ -42,7 +57,7 @@ fn quantity(reader: &mut Reader<'_>, history: usize, code: i64) -> ProbeQuantity
         7 => ProbeQuantity::Speed,
         8 => ProbeQuantity::VelocityX,
         9 => ProbeQuantity::VelocityY,
-        15 => ProbeQuantity::KineticEnergy,
+        KINETIC_ENERGY => ProbeQuantity::KineticEnergy,
         21 if reader.database.dialect() == Dialect::YGeo => ProbeQuantity::StrainEnergy,
         18 => ProbeQuantity::ForceX,
         19 => ProbeQuantity::ForceY,

@@ -4,6 +4,7 @@ use yformat::{
     database::{Database, Field},
     deck::Deck,
     diagnostic::Diagnostic,
+    dialect::Dialect,
     source::Span,
 };
 
@@ -17,6 +18,8 @@ pub(super) struct Reader<'a> {
     findings: Vec<Diagnostic>,
     /// What too short an array has been reported for: where their number is wrong, all are short.
     reported_short: Vec<&'static str>,
+    /// Counts that have been reported: the classic dialect asks for its only one several times.
+    reported_counts: Vec<String>,
 }
 
 /// `1 entry`, `4 entries`.
@@ -59,7 +62,13 @@ impl Offenders {
 
 impl<'a> Reader<'a> {
     pub fn new(deck: &'a Deck, database: &'a Database) -> Self {
-        Self { deck, database, findings: Vec::new(), reported_short: Vec::new() }
+        Self {
+            deck,
+            database,
+            findings: Vec::new(),
+            reported_short: Vec::new(),
+            reported_counts: Vec::new(),
+        }
     }
 
     pub fn into_findings(self) -> Vec<Diagnostic> {
@@ -78,12 +87,6 @@ impl<'a> Reader<'a> {
         self.findings.push(finding);
     }
 
-    /// Whether that was said about that place already: in the classic dialect one
-    /// number counts several kinds of sets.
-    fn has_said(&self, code: &str, place: Option<Span>) -> bool {
-        place.is_some() && self.findings.iter().any(|f| f.code == code && f.span == place)
-    }
-
     pub fn has_errors(&self) -> bool {
         self.findings.iter().any(Diagnostic::is_error)
     }
@@ -96,6 +99,11 @@ impl<'a> Reader<'a> {
     /// The same for messages.
     pub fn called<'n>(&self, name: &'n str) -> Cow<'n, str> {
         self.own_name(name).unwrap_or(Cow::Borrowed(name))
+    }
+
+    /// Whether the deck is of the classic dialect, with one table for property sets of all kinds.
+    pub fn is_classic(&self) -> bool {
+        self.database.dialect() == Dialect::Classic
     }
 
     /// Whether the deck's dialect has the keyword.
@@ -149,6 +157,12 @@ impl<'a> Reader<'a> {
         let place = self.place(actual).or_else(|| self.place(capacity));
         let (actual, capacity, given) =
             (self.called(actual), self.called(capacity), self.is_given(actual));
+        if self.reported_counts.iter().any(|reported| *reported == *actual) {
+            return 0;
+        }
+        if n < least || n > room {
+            self.reported_counts.push(actual.clone().into_owned());
+        }
         if n < least {
             let message = match given {
                 true => format!("{actual} gives {n} {what}"),
@@ -163,9 +177,6 @@ impl<'a> Reader<'a> {
             return 0;
         }
         if n > room {
-            if self.has_said("scene::capacity", place) {
-                return 0;
-            }
             self.report(
                 Diagnostic::error(
                     "scene::capacity",
@@ -183,13 +194,14 @@ impl<'a> Reader<'a> {
     }
 
     /// Number of sets whose arrays may all be absent, so that nothing else bounds it.
-    pub fn count_of_sets(&mut self, actual: &str, capacity: &str, what: &str) -> usize {
-        let n = self.count(actual, capacity, what, 0);
+    pub fn count_of_sets(&mut self, actual: &str, capacity: &str, what: &str, least: i64) -> usize {
+        let n = self.count(actual, capacity, what, least);
         if n <= MOST_SETS {
             return n;
         }
+        self.reported_counts.push(self.called(actual).into_owned());
         self.report(
-            Diagnostic::error("scene::count", format!("{actual} gives {n} {what}"))
+            Diagnostic::error("scene::count", format!("{} gives {n} {what}", self.called(actual)))
                 .at(self.place(actual))
                 .expected(format!("at most {MOST_SETS}"))
                 .help("correct it: a number of this size is hardly meant"),

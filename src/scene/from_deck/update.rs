@@ -1,8 +1,8 @@
 //! A scene changed by a later stage of its deck.
 
 use super::{
-    BuildOutcome, Profile, Reader, contact, control, elements, geometry, insertion, joints,
-    materials, node_sets, nodes::to_i32, probes, unsupported,
+    BuildOutcome, Profile, Reader, classic, classic_use, contact, control, elements, geometry,
+    insertion, joints, materials, node_sets, nodes::to_i32, probes, unsupported,
 };
 use crate::scene::Scene;
 use nalgebra::Vector2;
@@ -43,6 +43,9 @@ fn update(
         insertion::check_use(reader, &scene);
         node_sets::check_use(reader, &scene);
         geometry::check(reader, &scene);
+        if reader.is_classic() {
+            classic_use::check_again(reader, &scene);
+        }
     }
     scene
 }
@@ -67,9 +70,16 @@ fn update_settings(
     named: &BTreeSet<String>,
     profile: Profile,
 ) {
-    let names = |database: &str| named.iter().any(|n| n.split('/').next() == Some(database));
+    // the classic dialect has one table for sets of all kinds
+    let table = |name| if reader.is_classic() { "YDP" } else { name };
+    let names = |database| named.iter().any(|n| n.split('/').next() == Some(database));
+    let [materials_change, joints_change, nodes_change, meshing_changes] =
+        ["YDPE", "YDPJ", "YDPN", "YDPM"].map(|database| names(table(database)));
     scene.control = control::read(reader);
-    if names("YDPE") {
+    if reader.is_classic() {
+        scene.ramp = Some(classic::ramp(reader));
+    }
+    if materials_change {
         let support_is_named = named.contains("YDPE/I1PSUP");
         let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
         scene.materials = materials::read(reader);
@@ -77,29 +87,32 @@ fn update_settings(
             // it has been installed
             material.resets_shape = false;
         }
-        if !named.contains("YDPE/I1PEJP") {
+        // in the split dialect and Y-Geo the program itself says which joints there are
+        if !reader.is_classic() && !named.contains("YDPE/I1PEJP") {
             for (material, set) in scene.materials.iter_mut().zip(sets) {
                 material.joint_set = set;
             }
         }
     }
-    if names("YDPJ") {
+    if joints_change {
         scene.cohesive_laws = joints::read(reader);
     }
-    if names("YDPN") {
+    if nodes_change {
         scene.node_sets = node_sets::read(reader, profile);
         scene.load_history = node_sets::read_load_history(reader, scene.node_sets.len());
     }
     if names("YDI") || named.contains("YDC/IWFAST") {
         scene.contact = contact::read(reader);
     }
-    if names("YDPM") {
+    if meshing_changes {
         let earlier = scene.insertion.take();
         scene.insertion = insertion::read(reader, &scene.materials);
-        if !named.contains("YDPM/I2PMSET") {
+        let codes = ["YDPM/I2PMSET", "YDP/I1PEMN", "YDP/I1PNFZ"];
+        if !codes.iter().any(|code| named.contains(*code)) {
             // codes are consumed when they are executed
-            if let (Some(new), Some(old)) = (&mut scene.insertion, earlier) {
-                new.combinations = old.combinations;
+            match (&mut scene.insertion, earlier) {
+                (Some(new), Some(old)) => new.combinations = old.combinations,
+                (new, old) => *new = old,
             }
         }
     }
@@ -110,14 +123,16 @@ fn update_settings(
 
 /// Restating the counts of a mesh that has grown would cut it.
 fn check_counts(reader: &mut Reader<'_>, scene: &Scene, named: &BTreeSet<String>) {
-    let counts = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
-    for (name, now) in counts {
+    let mesh = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
+    // the sets of joints are numbered behind those of triangles
+    let sets = reader.is_classic().then_some(("YDP/NPROP", scene.materials.len()));
+    for (name, now) in mesh.into_iter().chain(sets) {
         if named.contains(name) && reader.integer(name) != now as i64 {
             reader.report(
                 Diagnostic::error(
                     "scene::restated-count",
                     format!(
-                        "a later stage sets {name} to {}, but the mesh has {now}",
+                        "a later stage sets {name} to {}, but there are {now}",
                         reader.integer(name)
                     ),
                 )
@@ -167,7 +182,9 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
     let elements = &mut scene.elements;
     if named.contains("YDE/I1ELPR") {
         replace(reader, "YDE/I1ELPR", &mut elements.property, named);
-        elements::name_joints(elements, reader.database.dialect());
+        if !reader.is_classic() {
+            elements::name_joints(elements, reader.database.dialect());
+        }
         elements::check_properties(
             reader,
             elements.len(),
@@ -176,6 +193,9 @@ fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<
             scene.materials.len(),
             scene.cohesive_laws.len(),
         );
+        if reader.is_classic() {
+            classic::number_joints(elements, scene.materials.len());
+        }
     }
     replace(reader, "YDE/I1ELBE", &mut elements.contact_tag, named);
     if let Some(field) = reader.real_field("YDE/D2ELST").filter(|_| named.contains("YDE/D2ELST")) {
