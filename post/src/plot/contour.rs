@@ -434,7 +434,7 @@ fn banded(
 }
 
 fn polygons(of_colour: BTreeMap<Colour, Vec<Vec<[f64; 2]>>>) -> Vec<Shape> {
-    let shape = |(colour, rings)| Shape::Polygons { rings, colour, seam: 0.7 };
+    let shape = |(colour, rings)| Shape::Polygons { rings, colour, seam: 1.4 };
     of_colour.into_iter().map(shape).collect()
 }
 
@@ -457,7 +457,7 @@ fn colour_bar(axes: &Axes, colours: &Colouring, stepped: bool) -> Vec<Shape> {
         let (low, high) = (edge(strip), edge(strip + 1));
         let ring = vec![[left, low], [right, low], [right, high], [left, high]];
         let colour = colours.colour(colours.middle(strip, strips));
-        let seam = if stepped { 0.0 } else { 0.5 };
+        let seam = if stepped { 0.0 } else { 1.0 };
         shapes.push(Shape::Polygons { rings: vec![ring], colour, seam });
     }
     let mut border = vec![vec![[left, bottom], [left, top]], vec![[right, bottom], [right, top]]];
