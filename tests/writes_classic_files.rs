@@ -37,6 +37,7 @@ fn check_files(name: &str, folder: &Path) -> Result<(), Failed> {
         states: Vec::new(),
         steps: None,
         legacy_d3plot: false,
+        monitors: Default::default(),
         profile: Profile::Windows,
     };
     run(loaded, &options, &mut Silent)?;

@@ -23,7 +23,7 @@ pub enum Selection {
     Nodes(Vec<usize>),
     /// Nodes of a node set, as in I1NOPR: `set:2`.
     Set(i32),
-    /// Nodes within a box: `box:X0:X1,Y0:Y1`; a bound left out is open. The bounds belong to it.
+    /// Nodes within a box: `box:X0:X1,Y0:Y1`; a bound (or both) left out is open. The bounds belong to it.
     Box([[f64; 2]; 2]),
     /// Nodes on a line within a thousandth of its length: `line:X0,Y0,X1,Y1`.
     Line([[f64; 2]; 2]),
@@ -176,6 +176,7 @@ fn finite(word: &str) -> Option<f64> {
 }
 
 fn range(words: &str) -> Option<[f64; 2]> {
+    let words = if words.trim().is_empty() { ":" } else { words };
     let (low, high) = words.split_once(':')?;
     let bound = |word: &str, open: f64| match word.trim() {
         "" => Some(open),
@@ -225,6 +226,7 @@ mod tests {
         assert_eq!(nodes("nodes:3,1,3"), [1, 3]);
         assert_eq!(nodes("set:1"), [0, 1]);
         assert_eq!(nodes("box:0.5:,:"), [1, 2]);
+        assert_eq!(nodes("box:,0.5:"), [2, 3]);
         assert_eq!(nodes("line:0,1,1,1"), [2, 3]);
         assert_eq!(nodes("material:1"), [0, 2, 3]);
     }

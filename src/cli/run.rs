@@ -1,5 +1,6 @@
 use super::{Exit, console::warn, deck_report, interrupt, progress::Screen};
 use crate::{
+    output::{Monitor, MonitorPlan, OutputError},
     scene::Profile,
     session::{Format, RunError, RunOptions, StopReason, load, run},
     simulation::SolverOptions,
@@ -28,6 +29,15 @@ pub(super) struct RunArguments {
     /// Write the full-precision state after so many completed steps, as text
     #[arg(long, value_delimiter = ',', value_name = "N,N,...")]
     states: Vec<u64>,
+    /// Watch sums over nodes: NAME=SELECTION:QUANTITY[,QUANTITY...], such as
+    /// support=set:1:reaction-x,reaction-y; written to BASE.monitors.csv. Selections: all,
+    /// nodes:N,N, set:N, box:X0:X1,Y0:Y1, line:X0,Y0,X1,Y1, material:N, body:N
+    #[arg(long = "monitor", value_name = "MONITOR")]
+    monitors: Vec<Monitor>,
+    /// Steps between two lines of the monitors
+    #[arg(long = "monitor-every", value_name = "N", default_value_t = 100,
+          value_parser = clap::value_parser!(u64).range(1..))]
+    monitor_interval: u64,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
     #[arg(long)]
@@ -97,6 +107,10 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         states: arguments.states.clone(),
         steps: arguments.steps,
         legacy_d3plot: arguments.legacy_d3plot,
+        monitors: MonitorPlan {
+            monitors: arguments.monitors.clone(),
+            interval: arguments.monitor_interval,
+        },
         profile,
     };
     let outcome = if arguments.quiet {
@@ -126,6 +140,7 @@ fn report_failure(error: &RunError) -> Exit {
     }
     warn(&format!("error: {error}"));
     match error {
+        RunError::Output(OutputError::Monitor { .. }) => Exit::Usage,
         RunError::Output(_) => Exit::Output,
         RunError::Unstable { .. } => Exit::Unstable,
         RunError::Stage { .. } => Exit::Input,

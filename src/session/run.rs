@@ -7,8 +7,9 @@ use super::{
 };
 use crate::{
     output::{
-        D3plotOutput, HistoryOutput, OutputError, OutputNames, RestartDeckOutput, ResultWriter,
-        RunTable, SnapshotOutput, StateFileOutput, TABLE_HEADER, VtuOutput, table_row,
+        D3plotOutput, HistoryOutput, MonitorOutput, MonitorPlan, OutputError, OutputNames,
+        RestartDeckOutput, ResultWriter, RunTable, SnapshotOutput, StateFileOutput, TABLE_HEADER,
+        VtuOutput, table_row,
     },
     scene::Profile,
     simulation::Simulation,
@@ -44,6 +45,8 @@ pub struct RunOptions {
     pub steps: Option<u64>,
     /// Whether d3plot headers are exactly the original's.
     pub legacy_d3plot: bool,
+    /// What is watched during the run.
+    pub monitors: MonitorPlan,
     /// Program followed for later stages of the deck.
     pub profile: Profile,
 }
@@ -123,6 +126,9 @@ fn open_writers(
 ) -> Result<Vec<Box<dyn ResultWriter>>, OutputError> {
     let mut writers: Vec<Box<dyn ResultWriter>> = Vec::new();
     let formats = Format::expand(&options.formats, simulation.scene().conventions.dialect);
+    if !options.monitors.is_empty() {
+        writers.push(Box::new(MonitorOutput::open(names, &options.monitors, simulation)?));
+    }
     if formats.contains(&Format::Yh) {
         writers.push(Box::new(HistoryOutput::open(names, simulation)?));
     }
@@ -169,6 +175,9 @@ impl Session<'_> {
         let Some(mut simulation) = simulation else {
             unreachable!("a run without simulation ends before its stages");
         };
+        if self.options.monitors.needs_contact_forces() {
+            simulation.watch_contact_forces();
+        }
         let outcome = (|| {
             for (index, stage) in stages.iter().enumerate() {
                 self.echo(&deck, stage.items.clone())?;
