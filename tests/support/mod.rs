@@ -4,6 +4,8 @@
 pub mod dialect_cases;
 pub mod dump;
 pub mod grid_deck;
+pub mod plate_deck;
+pub mod results;
 pub mod scenes;
 pub mod spoilt_deck;
 pub mod state_file;
