@@ -252,7 +252,7 @@ fn draw_contour(input: &Path, arguments: &PlotArguments) -> Result<Picture, Post
 fn draw_curves(inputs: &[PathBuf], arguments: &PlotArguments) -> Result<Picture, PostError> {
     let wanted = &arguments.curves;
     let mut drawn = Vec::new();
-    let mut headings = None::<[String; 2]>;
+    let (mut across, mut upwards) = (String::new(), Vec::new());
     for input in inputs {
         let table = Table::read(input)?;
         let x = wanted.x.as_deref().map_or(Ok(0), |name| table.find(name))?;
@@ -273,27 +273,19 @@ fn draw_curves(inputs: &[PathBuf], arguments: &PlotArguments) -> Result<Picture,
             let points = table.column(x).into_iter().zip(table.column(column));
             let points = points.map(|(x, y)| [x * wanted.x_factor, y * wanted.y_factor]);
             drawn.push(Curve { name, points: points.collect() });
-            let label = table.headings.get(x).cloned().unwrap_or_default();
-            headings.get_or_insert([label, heading]);
+            if across.is_empty() {
+                across = table.headings.get(x).cloned().unwrap_or_default();
+            }
+            upwards.push(heading);
         }
     }
-    let [x, y] = headings.unwrap_or_default();
-    // several columns share an axis: their common unit is all that it can say
-    let unit = y.rsplit_once(" (").map_or("", |(_, unit)| unit.trim_end_matches(')'));
-    let is_common = drawn.len() > 1;
-    let y = if is_common && unit.is_empty() {
-        String::new()
-    } else if is_common {
-        format!(" ({unit})")
-    } else {
-        y
-    };
+    let y = common_heading(&upwards);
     let part = |what, words: &Option<String>| {
         words.as_deref().map(|words| ranges::<1>(what, words)).transpose()
     };
     let options = CurveOptions {
         title: arguments.title.clone().unwrap_or_default(),
-        labels: [wanted.x_label.clone().unwrap_or(x), wanted.y_label.clone().unwrap_or(y)],
+        labels: [wanted.x_label.clone().unwrap_or(across), wanted.y_label.clone().unwrap_or(y)],
         ranges: [
             part("the range along x", &wanted.x_range)?.map(|[range]| range),
             part("the range along y", &wanted.y_range)?.map(|[range]| range),
@@ -305,4 +297,17 @@ fn draw_curves(inputs: &[PathBuf], arguments: &PlotArguments) -> Result<Picture,
         numbers::<1>("the factor", &factor.to_string())?;
     }
     curves(&drawn, &options)
+}
+
+/// What columns that share an axis have in common: all, their unit in brackets, or nothing.
+fn common_heading(headings: &[String]) -> String {
+    let Some((first, others)) = headings.split_first() else { return String::new() };
+    let unit = |heading: &str| heading.rfind('(').map(|at| heading[at..].to_owned());
+    if others.iter().all(|heading| heading == first) {
+        first.clone()
+    } else if others.iter().all(|heading| unit(heading) == unit(first)) {
+        unit(first).unwrap_or_default()
+    } else {
+        String::new()
+    }
 }

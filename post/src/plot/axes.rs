@@ -86,10 +86,11 @@ pub(super) fn text(at: [f64; 2], text: &str, size: f64, anchor: Anchor) -> Shape
     Shape::Text { at, text: text.to_owned(), size, anchor, turned: false, colour: Colour::INK }
 }
 
-/// `name (unit)` with a prefix before the unit or a power of ten.
+/// `name (unit)` with a prefix before the unit or a power of ten; the unit alone without name.
 pub(super) fn title(name: &str, prefix: &str, unit: &str) -> String {
     match (prefix.trim(), unit) {
         ("", "") => name.to_owned(),
+        (power, unit) if name.is_empty() => format!("{power}{unit}"),
         (power, "") => format!("{name} ({power})"),
         _ => format!("{name} ({prefix}{unit})"),
     }

@@ -91,8 +91,13 @@ impl ContourOptions {
     }
 }
 
-/// Shades of a field that is not drawn as bands.
-const SHADES: usize = 256;
+/// Shades of a field that is not drawn as bands: an odd number, so that a field that is the same
+/// everywhere up to rounding lies in the middle of one.
+const SHADES: usize = 255;
+/// Strips of the colour bar then.
+const STRIPS: usize = 85;
+/// Bands at most.
+const MOST_BANDS: usize = 256;
 /// Width of the colour bar, pixels.
 const BAR: f64 = 18.0;
 /// Room between axes and colour bar, pixels.
@@ -164,8 +169,9 @@ pub fn contour(frame: &Frame, options: &ContourOptions) -> Result<Picture, PostE
     shapes.extend(titles(frame, options, axes, &colours));
     let mut height = axes.window[1][1] + BOTTOM_MARGIN;
     if !legend.is_empty() {
-        shapes.extend(legend_shapes(&legend, axes, height + 4.0));
-        height += SMALL + 14.0;
+        let (drawn, end) = legend_shapes(&legend, axes, height + 4.0, f64::from(options.width));
+        shapes.extend(drawn);
+        height = end;
     }
     Ok(Picture { width: options.width, height: height.ceil() as u32, shapes })
 }
@@ -175,7 +181,7 @@ fn check(options: &ContourOptions) -> Result<(), PostError> {
         let expected = format!("expected {} to {} pixels", WIDTHS.start(), WIDTHS.end());
         return Err(PostError::words("the width", options.width.to_string(), expected));
     }
-    if !(2..=SHADES).contains(&options.bands) {
+    if !(2..=MOST_BANDS).contains(&options.bands) {
         let found = options.bands.to_string();
         return Err(PostError::words("the number of bands", found, "expected 2 to 256"));
     }
@@ -450,7 +456,7 @@ fn colour_bar(axes: &Axes, colours: &Colouring, stepped: bool) -> Vec<Shape> {
     let bottom = axes.window[1][1] - 14.0;
     let y =
         |value: f64| bottom - (value - colours.low) / (colours.high - colours.low) * (bottom - top);
-    let strips = if stepped { colours.bands } else { SHADES };
+    let strips = if stepped { colours.bands } else { STRIPS };
     let mut shapes = Vec::new();
     for strip in 0..strips {
         let edge = |i: usize| bottom - i as f64 / strips as f64 * (bottom - top);
@@ -584,15 +590,22 @@ fn joint_lines(
     legend
 }
 
-fn legend_shapes(legend: &Legend, axes: &Axes, y: f64) -> Vec<Shape> {
-    let mut x = axes.window[0][0];
-    let mut shapes = vec![text([x, y + 0.36 * SMALL], "Joints:", SMALL, Anchor::Start)];
-    x += width("Joints:", SMALL) + 12.0;
+/// The legend in as many rows as it needs from `y` on, and where it ends.
+fn legend_shapes(legend: &Legend, axes: &Axes, mut y: f64, room: f64) -> (Vec<Shape>, f64) {
+    let left = axes.window[0][0];
+    let mut shapes = vec![text([left, y + 0.36 * SMALL], "Joints:", SMALL, Anchor::Start)];
+    let indented = left + width("Joints:", SMALL) + 12.0;
+    let mut x = indented;
     for (colour, line, words) in legend {
+        let wide = 33.0 + width(words, SMALL);
+        if x > indented && x + wide > room - 10.0 {
+            x = indented;
+            y += SMALL + 8.0;
+        }
         let lines = vec![vec![[x, y], [x + 26.0, y]]];
         shapes.push(Shape::Lines { lines, colour: *colour, width: *line, dash: None });
         shapes.push(text([x + 33.0, y + 0.36 * SMALL], words, SMALL, Anchor::Start));
-        x += 33.0 + width(words, SMALL) + 20.0;
+        x += wide + 20.0;
     }
-    shapes
+    (shapes, y + SMALL + 10.0)
 }

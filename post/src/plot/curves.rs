@@ -114,8 +114,12 @@ fn range(curves: &[Curve], options: &CurveOptions, k: usize) -> Result<[f64; 2],
 
 /// `time (s)` as name and unit.
 fn split_unit(label: &str) -> (&str, &str) {
-    let inner = label.trim().strip_suffix(')').and_then(|rest| rest.rsplit_once(" ("));
-    inner.unwrap_or((label.trim(), ""))
+    let label = label.trim();
+    if let Some(unit) = label.strip_prefix('(').and_then(|rest| rest.strip_suffix(')')) {
+        return ("", unit);
+    }
+    let inner = label.strip_suffix(')').and_then(|rest| rest.rsplit_once(" ("));
+    inner.unwrap_or((label, ""))
 }
 
 fn grid(axes: &Axes, x: &Ticks, y: &Ticks, factors: [f64; 2]) -> Shape {
