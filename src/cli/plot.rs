@@ -280,6 +280,14 @@ fn draw_curves(inputs: &[PathBuf], arguments: &PlotArguments) -> Result<Picture,
         }
     }
     let y = common_heading(&upwards);
+    if y.starts_with('(') && wanted.name.is_empty() {
+        // the axis tells the unit, with its prefix
+        for curve in &mut drawn {
+            if let Some(name) = curve.name.strip_suffix(&y) {
+                curve.name = name.trim_end().to_owned();
+            }
+        }
+    }
     let part = |what, words: &Option<String>| {
         words.as_deref().map(|words| ranges::<1>(what, words)).transpose()
     };
