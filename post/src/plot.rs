@@ -5,10 +5,13 @@
 
 mod axes;
 mod bands;
+mod colouring;
 mod colours;
 mod contour;
 mod curves;
+mod fills;
 mod font;
+mod joint_lines;
 mod outline;
 mod picture;
 mod png;

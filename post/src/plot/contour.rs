@@ -1,18 +1,18 @@
 //! Contour pictures.
 
-use std::collections::BTreeMap;
-
 use super::axes::{Axes, BOTTOM_MARGIN, MEDIUM, SMALL, left_margin, text, title, widest};
-use super::bands::band;
+use super::colouring::{BAR, BAR_GAP, Colouring, bar_ticks, colour_bar};
 use super::colours::{Colour, ColourMap};
+use super::fills::{banded, flat};
 use super::font::width;
+use super::joint_lines::{joint_lines, legend_shapes};
 use super::outline::outline;
 use super::picture::{Anchor, Picture, Shape};
 use super::scale::{Ticks, prefix, short};
 use super::weld::{averaged, weld};
 use crate::error::PostError;
 use crate::field::{Field, FieldValues};
-use crate::results::{Frame, Joint, JointState};
+use crate::results::Frame;
 
 /// Which numbers the colours cover.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -91,17 +91,8 @@ impl ContourOptions {
     }
 }
 
-/// Shades of a field that is not drawn as bands: an odd number, so that a field that is the same
-/// everywhere up to rounding lies in the middle of one.
-const SHADES: usize = 255;
-/// Strips of the colour bar then.
-const STRIPS: usize = 85;
 /// Bands at most.
 const MOST_BANDS: usize = 256;
-/// Width of the colour bar, pixels.
-const BAR: f64 = 18.0;
-/// Room between axes and colour bar, pixels.
-const BAR_GAP: f64 = 24.0;
 /// Height of the title, pixels.
 const LARGE: f64 = 18.0;
 /// Least height of the axes, pixels: the colour bar needs it.
@@ -110,12 +101,6 @@ const LEAST_HEIGHT: f64 = 200.0;
 const LARGEST_HEIGHT: f64 = 1.1;
 /// Smallest and largest width of pictures, pixels.
 const WIDTHS: std::ops::RangeInclusive<u32> = 300..=8000;
-
-const TENSION: Colour = Colour([0xe0, 0x00, 0x8c]);
-const MIXED: Colour = Colour([0xff, 0x8c, 0x00]);
-const SHEAR: Colour = Colour([0x00, 0x00, 0x00]);
-const UNKNOWN: Colour = Colour([0x8b, 0x45, 0x13]);
-const SOFTENING: Colour = Colour([0x77, 0x77, 0x77]);
 
 /// Draws a field of a frame on its deformed bodies.
 ///
@@ -211,98 +196,6 @@ fn deformed(initial: &[[f64; 2]], frame: &Frame, scale: f64) -> Result<Vec<[f64;
     Ok(initial.iter().zip(moved).map(|(x, u)| [x[0] + scale * u[0], x[1] + scale * u[1]]).collect())
 }
 
-/// Numbers to colours, and what the bar says.
-struct Colouring {
-    map: ColourMap,
-    bands: usize,
-    low: f64,
-    high: f64,
-    /// Smallest and largest value of the field.
-    extremes: [f64; 2],
-    prefix: String,
-    unit: &'static str,
-    factor: f64,
-}
-
-impl Colouring {
-    fn new(options: &ContourOptions, values: &FieldValues) -> Result<Self, PostError> {
-        let mut sorted: Vec<f64> = values.all().iter().copied().filter(|v| v.is_finite()).collect();
-        sorted.sort_by(f64::total_cmp);
-        let (Some(&least), Some(&most)) = (sorted.first(), sorted.last()) else {
-            let name = options.field.name();
-            return Err(PostError::Nothing(format!("the field {name} has no finite value")));
-        };
-        let [low, high] = match options.range {
-            Range::Full => [least, most],
-            Range::Fixed([low, high]) => {
-                if !(low < high && low.is_finite() && high.is_finite()) {
-                    let found = format!("{low}:{high}");
-                    let expected = "expected LOW:HIGH, the smaller number first";
-                    return Err(PostError::words("the range", found, expected));
-                }
-                [low, high]
-            }
-            Range::Robust(percent) => {
-                if !(0.0..50.0).contains(&percent) {
-                    let expected = "expected 0 to less than 50";
-                    let found = percent.to_string();
-                    return Err(PostError::words("the percentage left out", found, expected));
-                }
-                let at = |share: f64| {
-                    let index = (share * (sorted.len() - 1) as f64).round() as usize;
-                    sorted.get(index).copied().unwrap_or(most)
-                };
-                [at(percent / 100.0), at(1.0 - percent / 100.0)]
-            }
-        };
-        let [low, high] = opened(low, high);
-        let is_signed = options.field.is_signed() && low < 0.0 && high > 0.0;
-        let natural = if is_signed { ColourMap::CoolWarm } else { ColourMap::Viridis };
-        let unit = options.field.quantity().unit();
-        let (prefix, factor) = prefix(low.abs().max(high.abs()), unit);
-        let map = options.map.unwrap_or(natural);
-        let extremes = [least, most];
-        Ok(Self { map, bands: options.bands, low, high, extremes, prefix, unit, factor })
-    }
-
-    /// Colour of a value.
-    fn colour(&self, value: f64) -> Colour {
-        let share = match self.map {
-            ColourMap::CoolWarm => 0.5 + 0.5 * value / self.low.abs().max(self.high.abs()),
-            ColourMap::Viridis => (value - self.low) / (self.high - self.low),
-        };
-        self.map.colour(share)
-    }
-
-    /// Number of the shade of a value, and the value in the middle of a shade.
-    fn shade(&self, value: f64) -> usize {
-        let share = ((value - self.low) / (self.high - self.low)).clamp(0.0, 1.0);
-        ((share * SHADES as f64) as usize).min(SHADES - 1)
-    }
-
-    fn middle(&self, index: usize, of: usize) -> f64 {
-        self.low + (index as f64 + 0.5) / of as f64 * (self.high - self.low)
-    }
-
-    /// Unit with its prefix.
-    fn unit(&self) -> String {
-        format!("{}{}", self.prefix, self.unit).trim().to_owned()
-    }
-}
-
-/// A range with a width: a field that is the same everywhere up to rounding gets one.
-fn opened(low: f64, high: f64) -> [f64; 2] {
-    let size = low.abs().max(high.abs());
-    if high - low > 1e-9 * size {
-        [low, high]
-    } else if size > 0.0 {
-        let middle = 0.5 * (low + high);
-        [middle - 0.05 * size, middle + 0.05 * size]
-    } else {
-        [0.0, 1.0]
-    }
-}
-
 /// Axes of equal scale around the bodies.
 struct Layout {
     axes: Axes,
@@ -381,120 +274,6 @@ impl Layout {
     }
 }
 
-/// Triangles of one colour each, one shape for each colour.
-fn flat(
-    frame: &Frame,
-    points: &[[f64; 2]],
-    values: &[f64],
-    axes: &Axes,
-    colours: &Colouring,
-) -> Vec<Shape> {
-    let mut of_colour: BTreeMap<Colour, Vec<Vec<[f64; 2]>>> = BTreeMap::new();
-    for (&triangle, &value) in frame.triangles.iter().zip(values) {
-        let ring = Frame::corners(triangle, points).map(|p| axes.pixel(p)).to_vec();
-        let colour = if value.is_finite() {
-            colours.colour(colours.middle(colours.shade(value), SHADES))
-        } else {
-            colours.map.colour(f64::NAN)
-        };
-        of_colour.entry(colour).or_default().push(ring);
-    }
-    polygons(of_colour)
-}
-
-/// Triangles cut into bands, one shape for each colour.
-fn banded(
-    frame: &Frame,
-    points: &[[f64; 2]],
-    values: &[[f64; 3]],
-    axes: &Axes,
-    colours: &Colouring,
-) -> Vec<Shape> {
-    let mut of_colour: BTreeMap<Colour, Vec<Vec<[f64; 2]>>> = BTreeMap::new();
-    let step = (colours.high - colours.low) / colours.bands as f64;
-    let of_band = |value: f64| {
-        (((value - colours.low) / step).floor().clamp(0.0, (colours.bands - 1) as f64)) as usize
-    };
-    for (&triangle, &values) in frame.triangles.iter().zip(values) {
-        let corners = Frame::corners(triangle, points).map(|p| axes.pixel(p));
-        if !values.iter().all(|v| v.is_finite()) {
-            of_colour.entry(colours.map.colour(f64::NAN)).or_default().push(corners.to_vec());
-            continue;
-        }
-        let [a, b, c] = values;
-        let (first, last) = (of_band(a.min(b).min(c)), of_band(a.max(b).max(c)));
-        for index in first..=last {
-            // the first and the last band take what lies outside of the range
-            let edge = |index: usize| colours.low + index as f64 * step;
-            let low = if index == 0 { -f64::MAX } else { edge(index) };
-            let high = if index + 1 == colours.bands { f64::MAX } else { edge(index + 1) };
-            let ring =
-                if first == last { corners.to_vec() } else { band(corners, values, low, high) };
-            if ring.len() > 2 {
-                let colour = colours.colour(colours.middle(index, colours.bands));
-                of_colour.entry(colour).or_default().push(ring);
-            }
-        }
-    }
-    polygons(of_colour)
-}
-
-fn polygons(of_colour: BTreeMap<Colour, Vec<Vec<[f64; 2]>>>) -> Vec<Shape> {
-    let shape = |(colour, rings)| Shape::Polygons { rings, colour, seam: 1.4 };
-    of_colour.into_iter().map(shape).collect()
-}
-
-fn bar_ticks(colours: &Colouring) -> Ticks {
-    Ticks::new(colours.low / colours.factor, colours.high / colours.factor, 6)
-}
-
-fn colour_bar(axes: &Axes, colours: &Colouring, stepped: bool) -> Vec<Shape> {
-    let left = axes.window[1][0] + BAR_GAP;
-    let right = left + BAR;
-    // room for the unit above and for pointed ends
-    let top = axes.window[0][1] + 26.0;
-    let bottom = axes.window[1][1] - 14.0;
-    let y =
-        |value: f64| bottom - (value - colours.low) / (colours.high - colours.low) * (bottom - top);
-    let strips = if stepped { colours.bands } else { STRIPS };
-    let mut shapes = Vec::new();
-    for strip in 0..strips {
-        let edge = |i: usize| bottom - i as f64 / strips as f64 * (bottom - top);
-        let (low, high) = (edge(strip), edge(strip + 1));
-        let ring = vec![[left, low], [right, low], [right, high], [left, high]];
-        let colour = colours.colour(colours.middle(strip, strips));
-        let seam = if stepped { 0.0 } else { 1.0 };
-        shapes.push(Shape::Polygons { rings: vec![ring], colour, seam });
-    }
-    let mut border = vec![vec![[left, bottom], [left, top]], vec![[right, bottom], [right, top]]];
-    let middle = 0.5 * (left + right);
-    let mut end = |beyond: bool, y: f64, tip: f64, value: f64| {
-        if beyond {
-            let ring = vec![[left, y], [middle, tip], [right, y]];
-            let colour = colours.colour(value);
-            shapes.push(Shape::Polygons { rings: vec![ring.clone()], colour, seam: 0.0 });
-            border.push(ring);
-        } else {
-            border.push(vec![[left, y], [right, y]]);
-        }
-    };
-    let tolerance = 1e-9 * (colours.high - colours.low);
-    end(colours.extremes[0] < colours.low - tolerance, bottom, bottom + 12.0, colours.low);
-    end(colours.extremes[1] > colours.high + tolerance, top, top - 12.0, colours.high);
-    let ticks = bar_ticks(colours);
-    for (value, label) in ticks.values.iter().zip(&ticks.labels) {
-        let y = y(value * colours.factor);
-        border.push(vec![[right, y], [right + 4.0, y]]);
-        shapes.push(text([right + 8.0, y + 0.36 * SMALL], label, SMALL, Anchor::Start));
-    }
-    shapes.push(Shape::Lines { lines: border, colour: Colour::INK, width: 0.9, dash: None });
-    let unit = colours.unit();
-    if !unit.is_empty() {
-        shapes.push(text([left, axes.window[0][1] + 6.0], &unit, MEDIUM, Anchor::Start));
-    }
-    shapes
-}
-
 fn titles(frame: &Frame, options: &ContourOptions, axes: &Axes, colours: &Colouring) -> Vec<Shape> {
     let (time_prefix, time_factor) = prefix(frame.time.abs(), "s");
     let time = format!("t = {} {time_prefix}s", short(frame.time / time_factor));
@@ -530,82 +309,4 @@ fn titles(frame: &Frame, options: &ContourOptions, axes: &Axes, colours: &Colour
 
 fn short_factor(factor: f64) -> String {
     factor.to_string().replace('-', "−")
-}
-
-/// What the legend of joints says: colour, width, words.
-type Legend = Vec<(Colour, f64, String)>;
-
-fn joint_lines(
-    frame: &Frame,
-    options: &ContourOptions,
-    axes: &Axes,
-    shapes: &mut Vec<Shape>,
-) -> Legend {
-    let ends = |joint: &Joint| -> Vec<[f64; 2]> {
-        let moved = joint.ends.iter().zip(&joint.displacement);
-        let more = options.deformation - 1.0;
-        moved.map(|(x, u)| axes.pixel([x[0] + more * u[0], x[1] + more * u[1]])).collect()
-    };
-    let lines = |chosen: &dyn Fn(&Joint) -> bool| -> Vec<Vec<[f64; 2]>> {
-        frame.joints.iter().filter(|j| chosen(j)).map(ends).collect()
-    };
-    let mut legend = Legend::new();
-    let whole = lines(&|j| {
-        j.state != JointState::Broken && j.set.is_some_and(|s| options.joint_sets.contains(&s))
-    });
-    if !whole.is_empty() {
-        let colour = Colour([0x33; 3]);
-        shapes.push(Shape::Lines { lines: whole, colour, width: 0.8, dash: None });
-    }
-    if options.joints == JointLines::Damaged {
-        let softening = lines(&|j| j.state == JointState::Softening);
-        if !softening.is_empty() {
-            legend.push((SOFTENING, 1.6, format!("{} softening", softening.len())));
-            let (colour, width) = (SOFTENING, 1.6);
-            shapes.push(Shape::Lines { lines: softening, colour, width, dash: None });
-        }
-    }
-    if options.joints != JointLines::None {
-        let broken = |j: &Joint| j.state == JointState::Broken;
-        let all = lines(&broken);
-        if !all.is_empty() {
-            let colour = Colour::WHITE;
-            shapes.push(Shape::Lines { lines: all, colour, width: 4.2, dash: None });
-        }
-        type Mode = fn(Option<f64>) -> bool;
-        let modes: [(&str, Colour, Mode); 4] = [
-            ("broken in tension", TENSION, |m| m == Some(1.0)),
-            ("broken in tension and shear", MIXED, |m| m.is_some_and(|m| m != 1.0 && m != 2.0)),
-            ("broken in shear", SHEAR, |m| m == Some(2.0)),
-            ("broken", UNKNOWN, |m| m.is_none()),
-        ];
-        for (name, colour, of_mode) in modes {
-            let lines = lines(&|j| broken(j) && of_mode(j.mode));
-            if !lines.is_empty() {
-                legend.push((colour, 2.4, format!("{} {name}", lines.len())));
-                shapes.push(Shape::Lines { lines, colour, width: 2.4, dash: None });
-            }
-        }
-    }
-    legend
-}
-
-/// The legend in as many rows as it needs from `y` on, and where it ends.
-fn legend_shapes(legend: &Legend, axes: &Axes, mut y: f64, room: f64) -> (Vec<Shape>, f64) {
-    let left = axes.window[0][0];
-    let mut shapes = vec![text([left, y + 0.36 * SMALL], "Joints:", SMALL, Anchor::Start)];
-    let indented = left + width("Joints:", SMALL) + 12.0;
-    let mut x = indented;
-    for (colour, line, words) in legend {
-        let wide = 33.0 + width(words, SMALL);
-        if x > indented && x + wide > room - 10.0 {
-            x = indented;
-            y += SMALL + 8.0;
-        }
-        let lines = vec![vec![[x, y], [x + 26.0, y]]];
-        shapes.push(Shape::Lines { lines, colour: *colour, width: *line, dash: None });
-        shapes.push(text([x + 33.0, y + 0.36 * SMALL], words, SMALL, Anchor::Start));
-        x += wide + 20.0;
-    }
-    (shapes, y + SMALL + 10.0)
 }
