@@ -91,6 +91,7 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
         states: steps.clone(),
         steps: None,
         legacy_d3plot: true,
+        monitors: Default::default(),
         profile: Profile::Source,
     };
     run(loaded, &options, &mut Silent)?;

@@ -76,6 +76,7 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
         states: vec![0, 1, 3],
         steps: Some(3),
         legacy_d3plot: false,
+        monitors: Default::default(),
         profile: Profile::default(),
     };
     // motion may become unstable and later stages may be wrong: that is no panic

@@ -142,6 +142,7 @@ fn results(name: &str) -> BTreeMap<String, Vec<u8>> {
         states: Vec::new(),
         steps: None,
         legacy_d3plot: true,
+        monitors: Default::default(),
         profile: Profile::Windows,
     };
     run(loaded, &options, &mut Silent).unwrap_or_else(|error| panic!("{name}: {error}"));

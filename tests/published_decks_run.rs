@@ -79,6 +79,7 @@ fn published_decks_run() {
             states: Vec::new(),
             steps: Some(STEPS),
             legacy_d3plot: false,
+            monitors: Default::default(),
             profile: Profile::default(),
         };
         let unstable = UNSTABLE.contains(&name.as_str());

@@ -23,6 +23,7 @@ fn state(deck: &Path, folder: &Path, steps: u64) -> StateFile {
         states: vec![steps],
         steps: None,
         legacy_d3plot: false,
+        monitors: Default::default(),
         profile: Profile::default(),
     };
     run(loaded, &options, &mut Silent).expect("a stable run");

@@ -202,6 +202,7 @@ impl Runner {
             states: vec![2, 40, 110, 111, 200, 260],
             steps,
             legacy_d3plot: false,
+            monitors: Default::default(),
             profile: Profile::default(),
         };
         run_with(loaded.expect("a sound deck"), &options, checkpoints, &mut Silent)

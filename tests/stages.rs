@@ -64,6 +64,7 @@ impl Run {
             states: states.to_vec(),
             steps: None,
             legacy_d3plot: true,
+            monitors: Default::default(),
             profile: Profile::default(),
         };
         let mut said = Said::default();

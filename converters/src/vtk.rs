@@ -30,10 +30,12 @@ mod cells;
 mod data_array;
 mod grid;
 mod pvd;
+mod read;
 mod vtu;
 
 pub use cells::{CellType, Cells};
 pub use data_array::{Components, DataArray, Values};
 pub use grid::UnstructuredGrid;
 pub use pvd::PvdSeries;
+pub use read::{PvdEntry, decode_pvd, decode_vtu, read_pvd, read_vtu};
 pub use vtu::{encode_vtu, write_vtu};

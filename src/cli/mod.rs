@@ -5,8 +5,10 @@ mod console;
 mod convert;
 mod deck_report;
 mod exit;
+mod extract;
 mod interrupt;
 mod keywords;
+mod plot;
 mod progress;
 mod run;
 
@@ -39,6 +41,12 @@ enum Command {
     /// Convert results to VTU, PVD and CSV, meshes to decks, decks to other dialects
     #[command(after_help = convert::HELP)]
     Convert(convert::ConvertArguments),
+    /// Draw results as contour pictures, histories and tables as curves (PNG, SVG)
+    #[command(after_help = plot::HELP)]
+    Plot(plot::PlotArguments),
+    /// Make tables (CSV) from results: histories, lines, reactions, extremes
+    #[command(after_help = extract::HELP)]
+    Extract(extract::ExtractArguments),
     /// List the deck keywords of a dialect with their meaning
     Keywords(keywords::KeywordArguments),
 }
@@ -51,6 +59,8 @@ pub fn main() -> ExitCode {
         (Some(Command::Run(run)), _) | (None, Some(run)) => run::main(&run),
         (Some(Command::Check(check)), _) => check::main(&check),
         (Some(Command::Convert(convert)), _) => convert::main(&convert),
+        (Some(Command::Plot(plot)), _) => plot::main(&plot),
+        (Some(Command::Extract(extract)), _) => extract::main(&extract),
         (Some(Command::Keywords(keywords)), _) => keywords::main(&keywords),
         (None, None) => Exit::Usage,
     };

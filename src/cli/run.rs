@@ -1,6 +1,6 @@
 use super::{Exit, console::warn, deck_report, interrupt, progress::Screen};
 use crate::{
-    output::OutputNames,
+    output::{Monitor, MonitorPlan, OutputError, OutputNames},
     scene::Profile,
     session::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
@@ -46,6 +46,15 @@ pub(super) struct RunArguments {
     /// longer. Writes checkpoints like --checkpoint
     #[arg(long, value_name = "FILE", num_args = 0..=1, require_equals = true)]
     resume: Option<Option<PathBuf>>,
+    /// Watch sums over nodes: NAME=SELECTION:QUANTITY[,QUANTITY...], such as
+    /// support=set:1:reaction-x,reaction-y; written to BASE.monitors.csv. Selections: all,
+    /// nodes:N,N, set:N, box:X0:X1,Y0:Y1, line:X0,Y0,X1,Y1, material:N, body:N
+    #[arg(long = "monitor", value_name = "MONITOR")]
+    monitors: Vec<Monitor>,
+    /// Steps between two lines of the monitors
+    #[arg(long = "monitor-every", value_name = "N", default_value_t = 100,
+          value_parser = clap::value_parser!(u64).range(1..))]
+    monitor_interval: u64,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
     #[arg(long, conflicts_with = "resume")]
@@ -156,6 +165,10 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         states: settings.states,
         steps: arguments.steps,
         legacy_d3plot: settings.legacy_d3plot,
+        monitors: MonitorPlan {
+            monitors: arguments.monitors.clone(),
+            interval: arguments.monitor_interval,
+        },
         profile: settings.profile,
     };
     let every = arguments.checkpoint_every;
@@ -192,6 +205,7 @@ fn report_failure(error: &RunError) -> Exit {
     }
     warn(&format!("error: {error}"));
     match error {
+        RunError::Output(OutputError::Monitor { .. }) => Exit::Usage,
         RunError::Output(_) => Exit::Output,
         RunError::Unstable { .. } => Exit::Unstable,
         RunError::Stage { .. } | RunError::Checkpoint(_) => Exit::Input,

@@ -186,6 +186,30 @@ pub fn cauchy_stress(
     }
 }
 
+/// Strain energy of the elastic triangle, J: exact for neo-Hookean ones, half of stress
+/// times strain for linear ones. Viscosity stores none.
+#[must_use]
+pub fn strain_energy(law: &StressLaw, reference: &ReferenceShape, corners: &[Vec2; 3]) -> f64 {
+    let kinematics = Kinematics::new(reference, corners, &[Vec2::zeros(); 3]);
+    let b = &kinematics.left_cauchy_green;
+    let density = match law {
+        StressLaw::NeoHookean(elasticity) => {
+            let ratio = kinematics.double_area / reference.double_area;
+            let shear = 0.5 * elasticity.shear_modulus * (b.trace() - 2.0 - 2.0 * ratio.ln());
+            let volumetric = elasticity.volumetric_share
+                * elasticity.lame_lambda
+                * (0.5 * (ratio * ratio - 1.0) - ratio.ln());
+            shear + volumetric
+        }
+        StressLaw::Linear(elasticity) => {
+            let stress = elasticity.stress(&kinematics);
+            let strain = (b - Matrix2::identity()) * 0.5;
+            0.5 * stress.component_mul(&strain).sum()
+        }
+    };
+    0.5 * reference.double_area * density
+}
+
 /// Force of the stress on each node, N.
 #[inline(always)]
 #[must_use]

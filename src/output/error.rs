@@ -47,6 +47,14 @@ pub enum OutputError {
     /// A d3plot file could not be written.
     #[error(transparent)]
     D3plot(#[from] yformat::d3plot::WriteError),
+    /// A monitor watches nothing.
+    #[error("monitor {name}: {source}")]
+    Monitor {
+        /// Its name.
+        name: String,
+        /// Why.
+        source: ypsilon_post::PostError,
+    },
     /// A VTK file could not be written.
     #[error(transparent)]
     Vtk(#[from] ypsilon_converters::ConvertError),

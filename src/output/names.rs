@@ -90,6 +90,12 @@ impl OutputNames {
         }
     }
 
+    /// Table of the monitors.
+    #[must_use]
+    pub fn monitors(&self) -> PathBuf {
+        self.folder.join(format!("{}.monitors.csv", self.base))
+    }
+
     /// The run's log.
     #[must_use]
     pub fn log(&self) -> PathBuf {

@@ -9,7 +9,9 @@ use super::{
     writers::open_writers,
 };
 use crate::{
-    output::{OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER, table_row},
+    output::{
+        MonitorPlan, OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER, table_row,
+    },
     scene::Profile,
     simulation::Simulation,
 };
@@ -42,6 +44,8 @@ pub struct RunOptions {
     pub steps: Option<u64>,
     /// Whether d3plot headers are exactly the original's.
     pub legacy_d3plot: bool,
+    /// What is watched during the run.
+    pub monitors: MonitorPlan,
     /// Program followed for later stages of the deck.
     pub profile: Profile,
 }
@@ -200,6 +204,9 @@ impl Session<'_> {
         let Some(mut simulation) = simulation else {
             unreachable!("a run without simulation ends before its stages");
         };
+        if self.options.monitors.needs_contact_forces() {
+            simulation.watch_contact_forces();
+        }
         let outcome = (|| {
             // a run that goes on from a checkpoint has entered this many already
             let entered = self.here.ends.len();

@@ -3,8 +3,8 @@
 use super::{Format, run::RunOptions};
 use crate::{
     output::{
-        D3plotOutput, HistoryOutput, OutputError, OutputNames, RestartDeckOutput, ResultWriter,
-        SnapshotOutput, StateFileOutput, VtuOutput, YGeoOutput,
+        D3plotOutput, HistoryOutput, MonitorOutput, OutputError, OutputNames, RestartDeckOutput,
+        ResultWriter, SnapshotOutput, StateFileOutput, VtuOutput, YGeoOutput,
     },
     simulation::Simulation,
 };
@@ -49,6 +49,9 @@ pub(super) fn open_writers(
     }
     if formats.contains(&Format::Vtu) {
         writers.push(Box::new(VtuOutput::new(names)));
+    }
+    if !options.monitors.is_empty() {
+        writers.push(Box::new(MonitorOutput::open(names, &options.monitors, simulation)?));
     }
     if !options.states.is_empty() {
         writers.push(Box::new(StateFileOutput::new(names, options.states.iter().copied())));

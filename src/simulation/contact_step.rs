@@ -8,6 +8,18 @@ impl Simulation {
     /// Detection when it is due, then the forces of all couples.
     pub(super) fn add_contact_forces(&mut self) {
         let is_output_step = self.is_output_step();
+        if self.watches_contact {
+            self.contact_share.copy_from_slice(&self.force);
+        }
+        self.add_couples(is_output_step);
+        if self.watches_contact {
+            for (share, sum) in self.contact_share.iter_mut().zip(&self.force) {
+                *share = sum - *share;
+            }
+        }
+    }
+
+    fn add_couples(&mut self, is_output_step: bool) {
         let Some(contact) = &mut self.contact else { return };
         let scene = &mut self.scene;
         let dt = scene.control.time_step;

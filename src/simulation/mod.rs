@@ -69,6 +69,10 @@ pub struct Simulation {
     strength: Vec<f64>,
     /// Contact forces, where they are summed apart (classic), N.
     contact_force: Vec<Vec2>,
+    /// Whether somebody wants to know the contact forces by themselves.
+    watches_contact: bool,
+    /// What contact added to the nodal forces, where somebody wants to know, N.
+    contact_share: Vec<Vec2>,
     /// Factor on pressure and traction of each node set.
     edge_factors: Vec<f64>,
     /// What Y-Geo keeps of each joint.
@@ -117,6 +121,8 @@ impl Simulation {
             stress: Vec::new(),
             strength: Vec::new(),
             contact_force: Vec::new(),
+            watches_contact: false,
+            contact_share: Vec::new(),
             joint_records: Vec::new(),
             yielded_now: Vec::new(),
             classic: ClassicJoints::default(),
@@ -252,6 +258,9 @@ impl Simulation {
         self.stress.resize(self.scene.elements.len(), Matrix2::zeros());
         self.strength.resize(self.scene.elements.len(), 0.0);
         self.mass.copy_from_slice(&self.plan.nodal_mass);
+        if self.watches_contact {
+            self.contact_share.resize(self.scene.nodes.len(), Vec2::zeros());
+        }
         if self.scene.conventions.contact_sum == ContactSum::Apart {
             self.contact_force.resize(self.scene.nodes.len(), Vec2::zeros());
         }

@@ -83,6 +83,9 @@ impl Simulation {
             probe_values,
             probe_times,
             kinetic_energy,
+            // made anew in every step
+            watches_contact: _,
+            contact_share: _,
             responses: _,
             evaluated_joints: _,
             insertion_report,

@@ -7,7 +7,7 @@ use crate::{
     mechanics::{
         Vec2,
         joint2::{self, JointState, SplitRules, YGeoRules},
-        triangle::{Kinematics, ReferenceShape, cauchy_stress},
+        triangle::{Kinematics, ReferenceShape, cauchy_stress, strain_energy},
     },
     scene::{CohesiveModel, ElementKind, JointKind, Scene},
 };
@@ -118,6 +118,35 @@ impl Simulation {
         let velocities = nodes.map(|n| scene.nodes.velocity[n]);
         let kinematics = Kinematics::new(&reference, &corners, &velocities);
         Some((cauchy_stress(&law, &reference, &corners, &velocities), kinematics.strain()))
+    }
+
+    /// Strain energy of an elastic triangle where its nodes are now, J; `None` for other
+    /// elements.
+    #[must_use]
+    pub fn strain_energy(&self, element: usize) -> Option<f64> {
+        let scene = &self.scene;
+        let material = scene.material_of(element)?;
+        if material.kind != ElementKind::ElasticTriangle {
+            return None;
+        }
+        let nodes = scene.elements.corners::<3>(element);
+        let reference = ReferenceShape::new(&nodes.map(|n| scene.nodes.initial[n]));
+        let law = stress_law(material, scene.conventions.volumetric);
+        Some(strain_energy(&law, &reference, &nodes.map(|n| scene.nodes.current[n])))
+    }
+
+    /// From now on contact forces can be told apart ([`Self::contact_share`]).
+    pub fn watch_contact_forces(&mut self) {
+        self.watches_contact = true;
+        self.contact_share.resize(self.scene.nodes.len(), Vec2::zeros());
+    }
+
+    /// Contact forces of the last evaluation, N: those summed apart (classic), elsewhere what
+    /// contact added to the nodal forces, right to rounding of these. Empty unless
+    /// [`Self::watch_contact_forces`] was called or they are summed apart.
+    #[must_use]
+    pub fn contact_share(&self) -> &[Vec2] {
+        if self.contact_force.is_empty() { &self.contact_share } else { &self.contact_force }
     }
 
     /// Times at which they were refreshed last, s.

@@ -4,7 +4,9 @@
 pub mod dialect_cases;
 pub mod dump;
 pub mod grid_deck;
+pub mod plate_deck;
 pub mod result_files;
+pub mod results;
 pub mod scenes;
 pub mod spoilt_deck;
 pub mod state_file;

@@ -38,6 +38,7 @@ fn check_files(name: &str, folder: &Path, comparison: Comparison) -> Result<(), 
         states: Vec::new(),
         steps: None,
         legacy_d3plot: false,
+        monitors: Default::default(),
         profile: Profile::Windows,
     };
     run(loaded, &options, &mut Silent)?;

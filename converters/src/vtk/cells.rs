@@ -21,6 +21,20 @@ pub enum CellType {
 }
 
 impl CellType {
+    /// The kind with a number of VTK's; `None` for kinds that no file of ours has.
+    pub const fn from_number(number: u8) -> Option<Self> {
+        Some(match number {
+            1 => Self::Vertex,
+            3 => Self::Line,
+            5 => Self::Triangle,
+            9 => Self::Quad,
+            10 => Self::Tetra,
+            12 => Self::Hexahedron,
+            13 => Self::Wedge,
+            _ => return None,
+        })
+    }
+
     /// Points of a cell of this kind.
     pub const fn points(self) -> usize {
         match self {

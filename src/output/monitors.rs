@@ -1,0 +1,277 @@
+//! Sums over nodes during a run: reactions, contact forces, displacements, energies.
+
+use super::{OutputError, OutputNames, ResultWriter, body_of_elements};
+use crate::{TOLERANCE, mechanics::Vec2, simulation::Simulation};
+use std::{
+    io::{BufWriter, Write},
+    path::PathBuf,
+    str::FromStr,
+};
+use yformat::part_file::PartFile;
+use ypsilon_post::{
+    PostError,
+    selection::{Mesh, Selection},
+    table::number,
+};
+
+/// What is told of the nodes of a selection.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum MonitorQuantity {
+    /// Sum of the nodal forces along an axis (0 or 1): internal, joints, contact, edge loads;
+    /// without gravity and nodal loads.
+    Force(usize),
+    /// Minus that sum: what holds the nodes pushes the body so, apart from their own weight
+    /// and loads.
+    Reaction(usize),
+    /// Sum of the contact forces along an axis.
+    Contact(usize),
+    /// Mean displacement along an axis.
+    Displacement(usize),
+    /// Largest magnitude of a displacement.
+    LargestDisplacement,
+    /// Kinetic energy.
+    KineticEnergy,
+    /// Strain energy of the elastic triangles all of whose nodes are selected.
+    StrainEnergy,
+    /// Number of joints that failed so far all of whose nodes are selected.
+    BrokenJoints,
+}
+
+/// Quantities with their names and units.
+const QUANTITIES: [(MonitorQuantity, &str, &str); 12] = [
+    (MonitorQuantity::Reaction(0), "reaction-x", "N"),
+    (MonitorQuantity::Reaction(1), "reaction-y", "N"),
+    (MonitorQuantity::Force(0), "force-x", "N"),
+    (MonitorQuantity::Force(1), "force-y", "N"),
+    (MonitorQuantity::Contact(0), "contact-x", "N"),
+    (MonitorQuantity::Contact(1), "contact-y", "N"),
+    (MonitorQuantity::Displacement(0), "ux", "m"),
+    (MonitorQuantity::Displacement(1), "uy", "m"),
+    (MonitorQuantity::LargestDisplacement, "umax", "m"),
+    (MonitorQuantity::KineticEnergy, "kinetic-energy", "J"),
+    (MonitorQuantity::StrainEnergy, "strain-energy", "J"),
+    (MonitorQuantity::BrokenJoints, "broken-joints", ""),
+];
+
+impl MonitorQuantity {
+    /// Its name, and its unit behind it in brackets.
+    fn heading(self) -> String {
+        let entry = QUANTITIES.iter().find(|(quantity, ..)| *quantity == self);
+        match entry {
+            Some((_, name, "")) => (*name).to_owned(),
+            Some((_, name, unit)) => format!("{name} ({unit})"),
+            None => String::new(),
+        }
+    }
+}
+
+/// Quantities watched on a selection of nodes.
+///
+/// ```
+/// use ypsilon::output::{Monitor, MonitorQuantity};
+/// let monitor: Monitor = "support=set:1:reaction-x,reaction-y".parse()?;
+/// assert_eq!(monitor.name, "support");
+/// assert_eq!(monitor.quantities[1], MonitorQuantity::Reaction(1));
+/// # Ok::<(), ypsilon_post::PostError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Monitor {
+    /// Its name in the table.
+    pub name: String,
+    /// The nodes, by what they are at the start of the run.
+    pub selection: Selection,
+    /// What is told of them.
+    pub quantities: Vec<MonitorQuantity>,
+}
+
+impl FromStr for Monitor {
+    type Err = PostError;
+
+    /// `NAME=SELECTION:QUANTITY[,QUANTITY...]`
+    fn from_str(words: &str) -> Result<Self, PostError> {
+        let form = "expected NAME=SELECTION:QUANTITY[,QUANTITY...]";
+        let parts = words.split_once('=').and_then(|(name, rest)| {
+            let (selection, quantities) = rest.rsplit_once(':')?;
+            (!name.trim().is_empty()).then_some((name.trim(), selection, quantities))
+        });
+        let (name, selection, quantities) =
+            parts.ok_or_else(|| PostError::words("the monitor", words, form))?;
+        let quantity = |word: &str| {
+            let entry = QUANTITIES.iter().find(|(_, name, _)| *name == word.trim());
+            entry.map(|(quantity, ..)| *quantity).ok_or_else(|| {
+                let names: Vec<&str> = QUANTITIES.iter().map(|(_, name, _)| *name).collect();
+                let expected = format!("{form}; quantities are {}", names.join(", "));
+                PostError::words("the quantity of a monitor", word, expected)
+            })
+        };
+        Ok(Self {
+            name: name.to_owned(),
+            selection: selection.parse()?,
+            quantities: quantities.split(',').map(quantity).collect::<Result<_, _>>()?,
+        })
+    }
+}
+
+/// What is watched during a run, and how often.
+#[derive(Debug, Clone, PartialEq)]
+pub struct MonitorPlan {
+    /// The monitors.
+    pub monitors: Vec<Monitor>,
+    /// A line is written at steps whose index is a multiple of this.
+    pub interval: u64,
+}
+
+impl Default for MonitorPlan {
+    fn default() -> Self {
+        Self { monitors: Vec::new(), interval: 100 }
+    }
+}
+
+impl MonitorPlan {
+    /// Whether nothing is watched.
+    #[must_use]
+    pub fn is_empty(&self) -> bool {
+        self.monitors.is_empty()
+    }
+
+    /// Whether contact forces have to be told apart.
+    #[must_use]
+    pub fn needs_contact_forces(&self) -> bool {
+        let quantities = self.monitors.iter().flat_map(|m| &m.quantities);
+        quantities.into_iter().any(|q| matches!(q, MonitorQuantity::Contact(_)))
+    }
+}
+
+/// Writes the table of the monitors.
+pub struct MonitorOutput {
+    plan: MonitorPlan,
+    path: PathBuf,
+    file: BufWriter<PartFile>,
+    /// Nodes of each monitor, ascending.
+    nodes: Vec<Vec<usize>>,
+    /// How many nodes there were when they were chosen.
+    chosen_among: usize,
+}
+
+impl MonitorOutput {
+    /// Starts the table and chooses the nodes.
+    ///
+    /// # Errors
+    /// If a selection holds no node or the file cannot be created.
+    pub fn open(
+        names: &OutputNames,
+        plan: &MonitorPlan,
+        simulation: &Simulation,
+    ) -> Result<Self, OutputError> {
+        let nodes = choose(plan, simulation)?;
+        let path = names.monitors();
+        let part = PartFile::create(&path).map_err(OutputError::io(&path))?;
+        let mut file = BufWriter::new(part);
+        let mut headings = vec!["time (s)".to_owned(), "step".to_owned()];
+        for monitor in &plan.monitors {
+            let name = monitor.name.replace([',', '"'], " ");
+            headings.extend(monitor.quantities.iter().map(|q| format!("{name} {}", q.heading())));
+        }
+        writeln!(file, "{}", headings.join(",")).map_err(OutputError::io(&path))?;
+        let chosen_among = simulation.scene().nodes.len();
+        Ok(Self { plan: plan.clone(), path, file, nodes, chosen_among })
+    }
+
+    fn line(&self, simulation: &Simulation) -> String {
+        let mut line = format!("{},{}", number(simulation.time()), simulation.step_index());
+        for (monitor, nodes) in self.plan.monitors.iter().zip(&self.nodes) {
+            for &quantity in &monitor.quantities {
+                line.push(',');
+                line.push_str(&number(value(simulation, nodes, quantity)));
+            }
+        }
+        line
+    }
+}
+
+impl ResultWriter for MonitorOutput {
+    fn after_forces(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+        if !simulation.step_index().is_multiple_of(self.plan.interval) {
+            return Ok(());
+        }
+        if simulation.scene().nodes.len() != self.chosen_among {
+            self.nodes = choose(&self.plan, simulation)?;
+            self.chosen_among = simulation.scene().nodes.len();
+        }
+        let line = self.line(simulation);
+        writeln!(self.file, "{line}").map_err(OutputError::io(&self.path))
+    }
+
+    fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
+        let Self { path, file, .. } = *self;
+        let part = file.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
+        Ok(vec![part.complete().map_err(OutputError::io(path))?])
+    }
+}
+
+fn choose(plan: &MonitorPlan, simulation: &Simulation) -> Result<Vec<Vec<usize>>, OutputError> {
+    let scene = simulation.scene();
+    let initial: Vec<[f64; 2]> = scene.nodes.initial.iter().map(|x| [x.x, x.y]).collect();
+    let elements: Vec<usize> = simulation.triangles().collect();
+    let triangles: Vec<[u32; 3]> =
+        elements.iter().map(|&e| scene.elements.corners::<3>(e).map(|n| n as u32)).collect();
+    let property: Vec<i32> = elements.iter().map(|&e| scene.elements.property[e]).collect();
+    let bodies = body_of_elements(simulation);
+    let body: Vec<i32> = elements.iter().map(|&e| bodies[e]).collect();
+    let mesh = Mesh {
+        initial: &initial,
+        node_set: Some(&scene.nodes.set),
+        triangles: &triangles,
+        property: &property,
+        body: Some(&body),
+    };
+    let nodes = |monitor: &Monitor| {
+        let name = monitor.name.clone();
+        monitor.selection.nodes(&mesh).map_err(|source| OutputError::Monitor { name, source })
+    };
+    plan.monitors.iter().map(nodes).collect()
+}
+
+fn value(simulation: &Simulation, nodes: &[usize], quantity: MonitorQuantity) -> f64 {
+    let scene = simulation.scene();
+    let displacement = |n: usize| scene.nodes.current[n] - scene.nodes.initial[n];
+    match quantity {
+        MonitorQuantity::Force(axis) => force(simulation, nodes)[axis],
+        MonitorQuantity::Reaction(axis) => 0.0 - force(simulation, nodes)[axis],
+        MonitorQuantity::Contact(axis) => sum(simulation.contact_share(), nodes)[axis],
+        MonitorQuantity::Displacement(axis) => {
+            nodes.iter().map(|&n| displacement(n)[axis]).sum::<f64>() / nodes.len() as f64
+        }
+        MonitorQuantity::LargestDisplacement => {
+            nodes.iter().map(|&n| displacement(n).norm()).fold(0.0, f64::max)
+        }
+        MonitorQuantity::KineticEnergy => {
+            let mass = |n: usize| Some(simulation.masses()[n]).filter(|m| *m >= TOLERANCE);
+            let energy = |&n: &usize| Some(0.5 * mass(n)? * scene.nodes.velocity[n].norm_squared());
+            nodes.iter().filter_map(energy).sum()
+        }
+        MonitorQuantity::StrainEnergy => {
+            let within = simulation.triangles().filter(|&e| {
+                scene.elements.corners::<3>(e).iter().all(|n| nodes.binary_search(n).is_ok())
+            });
+            within.filter_map(|e| simulation.strain_energy(e)).sum()
+        }
+        MonitorQuantity::BrokenJoints => {
+            let is_within = |element: usize| {
+                let corners = scene.elements.nodes[element].into_iter();
+                let mut corners = corners.filter_map(|n| usize::try_from(n).ok());
+                corners.all(|n| nodes.binary_search(&n).is_ok())
+            };
+            simulation.failures().iter().filter(|f| is_within(f.element)).count() as f64
+        }
+    }
+}
+
+/// Sum of all nodal forces; in the classic dialect contact forces join them only in the motion.
+fn force(simulation: &Simulation, nodes: &[usize]) -> Vec2 {
+    sum(simulation.forces(), nodes) + sum(simulation.contact_forces(), nodes)
+}
+
+fn sum(vectors: &[Vec2], nodes: &[usize]) -> Vec2 {
+    nodes.iter().filter_map(|&n| vectors.get(n)).fold(Vec2::zeros(), |sum, v| sum + v)
+}

@@ -1,0 +1,33 @@
+//! Results of a deck in a folder that vanishes with them.
+
+use std::fs;
+use tempfile::TempDir;
+use yformat::deck::Deck;
+use ypsilon::{
+    output::{Monitor, MonitorPlan},
+    scene::Profile,
+    session::{Format, RunOptions, Silent, load, run},
+    simulation::SolverOptions,
+};
+
+/// Runs a deck as `plate.y`, with VTU and d3plot files and the monitors given.
+pub fn results(deck: &Deck, monitors: &[&str], interval: u64) -> TempDir {
+    let folder = TempDir::new().expect("a temporary folder");
+    let path = folder.path().join("plate.y");
+    fs::write(&path, deck.to_text()).expect("a deck");
+    let loaded = load(&path, None, Profile::Windows, SolverOptions::default())
+        .unwrap_or_else(|fault| panic!("{fault:?}"));
+    let monitors: Vec<Monitor> = monitors.iter().map(|m| m.parse().expect("a monitor")).collect();
+    let options = RunOptions {
+        deck: path,
+        folder: folder.path().to_path_buf(),
+        formats: vec![Format::Vtu, Format::D3plot],
+        states: Vec::new(),
+        steps: None,
+        legacy_d3plot: false,
+        monitors: MonitorPlan { monitors, interval },
+        profile: Profile::Windows,
+    };
+    run(loaded, &options, &mut Silent).expect("a run");
+    folder
+}
