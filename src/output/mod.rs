@@ -32,8 +32,11 @@ pub use vtu::VtuOutput;
 pub use ygeo::YGeoOutput;
 
 use crate::simulation::Simulation;
-use std::path::PathBuf;
-use yformat::{database::Database, deck::Deck};
+use std::{
+    io::{self, BufWriter},
+    path::{Path, PathBuf},
+};
+use yformat::{database::Database, deck::Deck, part_file::PartFile};
 
 /// A kind of result file.
 pub trait ResultWriter {
@@ -50,7 +53,9 @@ pub trait ResultWriter {
     ///
     /// # Errors
     /// If a file cannot be written.
-    fn after_forces(&mut self, simulation: &Simulation) -> Result<(), OutputError>;
+    fn after_forces(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
+        Ok(())
+    }
 
     /// Looks at the state after the nodes have moved, while step and time are still
     /// those of the forces.
@@ -115,4 +120,17 @@ pub trait ResultWriter {
     /// # Errors
     /// If a file cannot be completed.
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError>;
+}
+
+/// Writes a file that appears when it is complete.
+pub(crate) fn save(
+    path: &Path,
+    write: impl FnOnce(&mut BufWriter<PartFile>) -> io::Result<()>,
+) -> Result<(), OutputError> {
+    let save = || {
+        let mut file = BufWriter::new(PartFile::create(path)?);
+        write(&mut file)?;
+        file.into_inner().map_err(io::IntoInnerError::into_error)?.complete()
+    };
+    save().map(drop).map_err(OutputError::io(path))
 }

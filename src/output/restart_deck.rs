@@ -4,21 +4,17 @@
 //! The number of masses is written, which the original leaves 0, so that both
 //! the original and Ypsilon read the deck.
 
-use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present};
+use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present, save};
 use crate::{
     mechanics::{Vec2, aperture::Aperture},
     scene::JointKind,
     simulation::Simulation,
 };
-use std::{
-    io::{self, BufWriter, Write},
-    path::{Path, PathBuf},
-};
+use std::{io, path::PathBuf};
 use yformat::{
     classic_output::{JointState, MassCount, RestartDeck, RestartError, Table},
     database::Database,
     deck::Deck,
-    part_file::PartFile,
 };
 
 /// Writes a restart deck and a mesh at the deck's intervals and after the last step.
@@ -56,19 +52,6 @@ impl RestartDeckOutput {
     }
 }
 
-fn save(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<PartFile>) -> io::Result<()>,
-) -> Result<(), OutputError> {
-    let save = || {
-        let mut file = BufWriter::new(PartFile::create(path)?);
-        write(&mut file)?;
-        file.flush()?;
-        file.into_inner().map_err(io::IntoInnerError::into_error)?.complete()
-    };
-    save().map(drop).map_err(OutputError::io(path))
-}
-
 fn to_io(error: RestartError) -> io::Error {
     match error {
         RestartError::Io(error) => error,
@@ -80,10 +63,6 @@ impl ResultWriter for RestartDeckOutput {
     fn begin_stage(&mut self, deck: &Deck, values: &Database) -> Result<(), OutputError> {
         let template = RestartDeck::from_values(deck, values).map_err(to_io);
         self.template = template.map_err(OutputError::io("the restart deck"))?;
-        Ok(())
-    }
-
-    fn after_forces(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
         Ok(())
     }
 

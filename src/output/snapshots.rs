@@ -65,10 +65,6 @@ impl SnapshotOutput {
 }
 
 impl ResultWriter for SnapshotOutput {
-    fn after_forces(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
-        Ok(())
-    }
-
     fn after_motion(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         let Some(settings) = simulation.scene().snapshots else { return Ok(()) };
         if !simulation.is_output_step() {

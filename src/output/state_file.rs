@@ -26,10 +26,6 @@ impl StateFileOutput {
 }
 
 impl ResultWriter for StateFileOutput {
-    fn after_forces(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
-        Ok(())
-    }
-
     fn after_step(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
         let done = simulation.step_index();
         if self.steps.contains(&done) {

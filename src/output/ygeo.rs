@@ -5,15 +5,12 @@ mod events;
 mod frames;
 mod restart;
 
-use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present};
+use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present, save};
 use crate::{mechanics::Vec2, simulation::Simulation};
 use events::{EventFiles, EventMark};
 use restart::{RestartFragments, RestartMark};
-use std::{
-    io::{self, BufWriter, Write},
-    path::{Path, PathBuf},
-};
-use yformat::{database::Database, deck::Deck, part_file::PartFile, ygeo_output::ResultFile};
+use std::path::PathBuf;
+use yformat::{database::Database, deck::Deck, ygeo_output::ResultFile};
 
 /// Writes all files of Y-Geo but the histories.
 pub struct YGeoOutput {
@@ -78,20 +75,6 @@ impl YGeoOutput {
     }
 }
 
-/// Writes a file that appears when it is complete.
-fn save(
-    path: &Path,
-    write: impl FnOnce(&mut BufWriter<PartFile>) -> io::Result<()>,
-) -> Result<(), OutputError> {
-    let save = || {
-        let mut file = BufWriter::new(PartFile::create(path)?);
-        write(&mut file)?;
-        file.flush()?;
-        file.into_inner().map_err(io::IntoInnerError::into_error)?.complete()
-    };
-    save().map(drop).map_err(OutputError::io(path))
-}
-
 impl ResultWriter for YGeoOutput {
     fn begin_stage(&mut self, deck: &Deck, values: &Database) -> Result<(), OutputError> {
         self.restarts.begin_stage(deck, values);
@@ -99,7 +82,17 @@ impl ResultWriter for YGeoOutput {
     }
 
     fn after_forces(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        self.setup.get_or_insert_with(|| Setup::new(simulation));
+        match &mut self.setup {
+            None => self.setup = Some(Setup::new(simulation)),
+            // a later stage may mesh
+            Some(setup) if setup.place.len() != simulation.masses().len() => {
+                let mut anew = Setup::new(simulation);
+                let known = setup.reference.len().min(anew.reference.len());
+                anew.reference[..known].copy_from_slice(&setup.reference[..known]);
+                *setup = anew;
+            }
+            Some(_) => {}
+        }
         Ok(())
     }
 

@@ -85,10 +85,7 @@ impl Simulation {
             self.record_yielding(joint);
         }
         if self.joint_records[element].yielding.mode != YieldMode::None {
-            let energy = nodes.into_iter().fold(0.0, |sum, n| {
-                let v = self.scene.nodes.velocity[n];
-                sum + 0.5 * self.mass[n] * (v.x * v.x + v.y * v.y)
-            });
+            let energy = self.kinetic_energy_of(nodes);
             let fails = response.failed_point.is_some();
             self.joint_records[element].release.update(
                 self.scene.seismic,
@@ -97,6 +94,14 @@ impl Simulation {
                 fails,
             );
         }
+    }
+
+    /// Kinetic energy of four nodes, J.
+    fn kinetic_energy_of(&self, nodes: [usize; 4]) -> f64 {
+        nodes.into_iter().fold(0.0, |sum, n| {
+            let v = self.scene.nodes.velocity[n];
+            sum + 0.5 * self.mass[n] * (v.x * v.x + v.y * v.y)
+        })
     }
 
     /// Notes that the joint yields if enough of its points are beyond their peak:
@@ -121,11 +126,7 @@ impl Simulation {
                     let [a, b, c, d] = corners;
                     let place = (a + b + c + d) / 4.0;
                     let (step, time) = (self.step, self.time);
-                    let nodes = joint.corners.map(|n| n as usize);
-                    let energy = nodes.into_iter().fold(0.0, |sum, n| {
-                        let v = self.scene.nodes.velocity[n];
-                        sum + 0.5 * self.mass[n] * (v.x * v.x + v.y * v.y)
-                    });
+                    let energy = self.kinetic_energy_of(joint.corners.map(|n| n as usize));
                     let record = &mut self.joint_records[element];
                     record.yielding = Yielding { mode, step, time, place: place.into() };
                     record.release.reference = energy;
