@@ -84,9 +84,13 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
     runs
 }
 
-/// Sound decks: the base of the bad ones, reference cases of all dialects, a restart deck, and one of
-/// two stages.
-const DECKS: [&str; 9] = [
+/// Sound decks: the bases of the bad ones, reference cases of all dialects, a restart deck, and one
+/// of two stages.
+const DECKS: [&str; 13] = [
+    include_str!("bad_decks/base_classic_glued.y"),
+    include_str!("bad_decks/base_ygeo.y"),
+    include_str!("data/classic/k_unused_joint_prop/k_unused_joint_prop.y"),
+    include_str!("bad_decks/classic_stages.y"),
     include_str!("data/classic/g_joint_pair/g_joint_pair.y"),
     include_str!("data/classic/g_joint_pair/g_joint_pair4_restart.y"),
     include_str!("data/classic/i_pressure/i_pressure.y"),
@@ -144,6 +148,14 @@ fn replacement() -> impl Strategy<Value = String> {
         "/YD/YDE/MELEM",
         "/YD/YDPE/MPROP",
         "/YD/YDI/MICOUP",
+        "/YD/YDP/NPROP",
+        "/YD/YDP/I1PTYP",
+        "/YD/YDP/I1PEMN",
+        "/YD/YDP/I1PNFZ",
+        "/YD/YDE/I1ELTY",
+        "/YD/YDJ/NJOINT",
+        "/YD/YDPE/D2PEINT",
+        "/YD/YDFN/IUSEFN",
         "brick",
         "\u{e9}",
     ];

@@ -124,6 +124,7 @@ fn what_is_worth_knowing() {
             ),
             ("history that is never updated", &[("I1OHYT 1 15", "I1OHYT 1 1")]),
             ("no room for couples", &[("MICOUP 40", "MICOUP 0")]),
+            ("separation alone", &[("I1PEMN 4 3", "I1PEMN 4 4")]),
         ],
     );
     assert_snapshot!(said);

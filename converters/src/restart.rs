@@ -48,7 +48,11 @@ pub fn restart_to_vtu(
     let mut grids = vec![path];
     if !joints.cells.is_empty() {
         let path = folder.join(format!("{name}_joints.vtu"));
-        write_vtu(&path, &joints)?;
+        if let Err(error) = write_vtu(&path, &joints) {
+            // bodies alone would pass for a deck without joints
+            grids.iter().for_each(|path| drop(std::fs::remove_file(path)));
+            return Err(error);
+        }
         grids.push(path);
     }
     Ok(RestartReport { grids, diagnostics })

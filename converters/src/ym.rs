@@ -76,7 +76,8 @@ pub struct YmReport {
 ///
 /// # Errors
 /// If `input` is not called like a snapshot, if a file cannot be read or written, or if a snapshot
-/// is damaged: those before it are converted then, but there is no collection.
+/// is damaged. No grids are left behind then: without a collection they would pass for the whole
+/// run.
 pub fn ym_to_vtu(
     input: &Path,
     deck: Option<&Path>,
@@ -91,21 +92,19 @@ pub fn ym_to_vtu(
         None => SeriesDeck::default(),
     };
     notices.extend(about.notices.iter().cloned());
-    let mut output =
-        Output { folder, name, collection: PvdSeries::new(), shown: [true, false, false] };
-    for (index, (number, path)) in series.snapshots.iter().enumerate() {
-        let text = std::fs::read(path).map_err(at(path))?;
-        let snapshot = Snapshot::parse(path.display().to_string(), &text)?;
-        if let Some(line) = snapshot.truncated {
-            notices.push(YmNotice::Truncated { path: path.clone(), line });
-        }
-        output.write(*number, &snapshot, &about)?;
-        done(index + 1, series.snapshots.len());
+    let mut output = Output {
+        folder,
+        name,
+        collection: PvdSeries::new(),
+        shown: [true, false, false],
+        written: Vec::new(),
+    };
+    let result = output.write_series(&series, &about, &mut notices, &mut done);
+    if result.is_err() {
+        output.written.iter().for_each(|path| drop(std::fs::remove_file(path)));
     }
-    let collection = folder.join(format!("{name}.pvd"));
-    output.collection.write(&collection)?;
     Ok(YmReport {
-        collection,
+        collection: result?,
         snapshots: series.snapshots.len(),
         grids: output.collection.len(),
         deck: series.deck,
@@ -120,9 +119,33 @@ struct Output<'a> {
     collection: PvdSeries,
     /// Whether triangles, cracks and sources have appeared so far.
     shown: [bool; 3],
+    /// The grids so far.
+    written: Vec<PathBuf>,
 }
 
 impl Output<'_> {
+    /// Writes all snapshots and the collection; gives the collection's name.
+    fn write_series(
+        &mut self,
+        series: &YmSeries,
+        about: &SeriesDeck,
+        notices: &mut Vec<YmNotice>,
+        done: &mut impl FnMut(usize, usize),
+    ) -> Result<PathBuf, ConvertError> {
+        for (index, (number, path)) in series.snapshots.iter().enumerate() {
+            let text = std::fs::read(path).map_err(at(path))?;
+            let snapshot = Snapshot::parse(path.display().to_string(), &text)?;
+            if let Some(line) = snapshot.truncated {
+                notices.push(YmNotice::Truncated { path: path.clone(), line });
+            }
+            self.write(*number, &snapshot, about)?;
+            done(index + 1, series.snapshots.len());
+        }
+        let collection = self.folder.join(format!("{}.pvd", self.name));
+        self.collection.write(&collection)?;
+        Ok(collection)
+    }
+
     fn write(
         &mut self,
         number: u64,
@@ -170,7 +193,9 @@ impl Output<'_> {
         file: String,
         grid: &UnstructuredGrid,
     ) -> Result<(), ConvertError> {
-        write_vtu(&self.folder.join(&file), grid)?;
+        let path = self.folder.join(&file);
+        write_vtu(&path, grid)?;
+        self.written.push(path);
         self.collection.push(time, part as u32, label, file);
         Ok(())
     }

@@ -138,6 +138,7 @@ fn check_mesh_codes(reader: &mut Reader<'_>, scene: &Scene) {
         let place = reader.entry("YDP/I1PEMN", set);
         if material.kind.takes_part_in_contact() {
             insertion::check_digits(reader, code(set), place);
+            check_separation(reader, set, code(set));
             continue;
         }
         reader.report(
@@ -151,6 +152,21 @@ fn check_mesh_codes(reader: &mut Reader<'_>, scene: &Scene) {
             )
             .at(place)
             .expected("0 for sets of other types than 1 and 2"),
+        );
+    }
+}
+
+/// Triangles without joints on their edges make the original read before its arrays.
+fn check_separation(reader: &mut Reader<'_>, set: usize, code: i64) {
+    let digits = code.to_string();
+    if digits.contains('4') && !digits.contains('3') {
+        reader.report(
+            Diagnostic::note(
+                "scene::original-needs",
+                format!("mesh code {code} separates triangles without joints: the original may crash at their first contact"),
+            )
+            .at(reader.entry("YDP/I1PEMN", set))
+            .help("for the original let digit 3 follow to the left, as in 34"),
         );
     }
 }

@@ -25,7 +25,7 @@ pub(super) static YDO: &[Keyword] = &of(
         integers(
             "I1OHYT",
             HISTORIES,
-            "quantity: 1 σxx, 2 σxy, 3 σyy, 7 speed, 8 vx, 9 vy, 15 kinetic energy, 18 Fx, 19 Fy",
+            "quantity: 15 kinetic energy; in split and Y-Geo also 1 σxx, 2 σxy, 3 σyy, 7 speed, 8 vx, 9 vy, 18 Fx, 19 Fy",
         ),
     ],
 );
