@@ -11,6 +11,7 @@ pub mod cli;
 pub mod contact;
 pub mod insertion;
 pub mod mechanics;
+pub mod meshing;
 pub mod output;
 pub mod scene;
 pub mod session;

@@ -8,6 +8,7 @@ mod exit;
 mod extract;
 mod interrupt;
 mod keywords;
+mod mesh;
 mod plot;
 mod progress;
 mod run;
@@ -47,6 +48,8 @@ enum Command {
     /// Make tables (CSV) from results: histories, lines, reactions, extremes
     #[command(after_help = extract::HELP)]
     Extract(extract::ExtractArguments),
+    /// Make decks of bridges, walls, columns and blocks from parameters or scenario files
+    Mesh(mesh::MeshArguments),
     /// List the deck keywords of a dialect with their meaning
     Keywords(keywords::KeywordArguments),
 }
@@ -61,6 +64,7 @@ pub fn main() -> ExitCode {
         (Some(Command::Convert(convert)), _) => convert::main(&convert),
         (Some(Command::Plot(plot)), _) => plot::main(&plot),
         (Some(Command::Extract(extract)), _) => extract::main(&extract),
+        (Some(Command::Mesh(mesh)), _) => mesh::main(&mesh),
         (Some(Command::Keywords(keywords)), _) => keywords::main(&keywords),
         (None, None) => Exit::Usage,
     };

@@ -12,9 +12,10 @@ pub(super) fn colours(mesh: &Mesh) -> Vec<usize> {
     let mut colours: Vec<Option<usize>> = vec![None; mesh.blocks];
     let mut forbidden: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); mesh.blocks];
     let mut open: BTreeSet<usize> = (0..mesh.blocks).collect();
-    while let Some(&block) = open.iter().max_by_key(|&&b| {
-        (forbidden[b].len(), neighbours[b].len(), std::cmp::Reverse(b))
-    }) {
+    while let Some(&block) = open
+        .iter()
+        .max_by_key(|&&b| (forbidden[b].len(), neighbours[b].len(), std::cmp::Reverse(b)))
+    {
         open.remove(&block);
         let free = (0..).find(|c| !forbidden[block].contains(c)).unwrap_or_default();
         colours[block] = Some(free);

@@ -14,6 +14,14 @@ pub enum MeshingError {
         /// What it has to be.
         expected: String,
     },
+    /// A file that cannot be read.
+    #[error("cannot read {path}: {source}")]
+    Io {
+        /// The file.
+        path: std::path::PathBuf,
+        /// Why.
+        source: std::io::Error,
+    },
     /// A scenario file with mistakes.
     #[error("{0}")]
     Scenario(String),

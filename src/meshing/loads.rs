@@ -5,13 +5,14 @@
 
 use super::{
     MeshingError,
-    model::History,
+    model::{History, Model},
     properties::{count, not_negative, positive},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// When and how fast loads come.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Staging {
     /// When the first part comes \[s\].
@@ -84,7 +85,7 @@ impl Staging {
 }
 
 /// A load.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(tag = "type", rename_all = "kebab-case", deny_unknown_fields)]
 pub enum Load {
     /// A force downward at a place of the top: on the node there, or shared by the two beside it.
@@ -173,8 +174,28 @@ pub enum Load {
     },
 }
 
+impl Load {
+    /// When the structure has settled under the load: an interval of the staging after its last
+    /// change \[s\].
+    #[must_use]
+    pub fn end_s(&self, model: &Model, staging: &Staging) -> f64 {
+        let staged = staging.complete_s() + staging.interval_s - staging.ramp_s;
+        match *self {
+            Load::Point { .. } | Load::Distributed { .. } | Load::Train { .. } => staged,
+            Load::HalfSine { to_s, .. } | Load::Settlement { to_s, .. } => {
+                to_s + staging.interval_s
+            }
+            Load::Convoy { axles, spacing_m, speed_m_s, .. } => {
+                let x = |node: Option<&usize>| node.map_or(0.0, |&n| model.mesh.nodes[n][0]);
+                let top = x(model.top.last()) - x(model.top.first());
+                staged + (top - axles.saturating_sub(1) as f64 * spacing_m) / speed_m_s
+            }
+        }
+    }
+}
+
 /// The left or the right support.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
     /// The left one.
@@ -440,4 +461,3 @@ pub(super) fn value(history: &[[f64; 2]], time: f64) -> f64 {
         (Some([t0, f0]), Some([t1, f1])) => f0 + (f1 - f0) * ((time - t0) / (t1 - t0)),
     }
 }
-

@@ -80,11 +80,8 @@ impl Mesh {
             for i in 0..columns {
                 let a = first + j * (columns + 1) + i;
                 let [b, c, d] = [a + 1, a + columns + 2, a + columns + 1];
-                let halves = if (i + j) % 2 == 0 {
-                    [[a, b, c], [a, c, d]]
-                } else {
-                    [[a, b, d], [b, c, d]]
-                };
+                let halves =
+                    if (i + j) % 2 == 0 { [[a, b, c], [a, c, d]] } else { [[a, b, d], [b, c, d]] };
                 let triangle = |nodes| Triangle { nodes, block, material };
                 self.triangles.extend(halves.map(triangle));
             }
@@ -114,10 +111,7 @@ pub(super) fn divide(pattern: &Pattern, division: Division) -> Result<Mesh, Mesh
 
 /// Divides the blocks of the left half and mirrors them at x = 0. Blocks across the line of
 /// symmetry are divided as wholes, around a node in their middle.
-pub(super) fn divide_mirrored(
-    pattern: &Pattern,
-    division: Division,
-) -> Result<Mesh, MeshingError> {
+pub(super) fn divide_mirrored(pattern: &Pattern, division: Division) -> Result<Mesh, MeshingError> {
     let mut mesh =
         Mesh { nodes: pattern.points.clone(), triangles: Vec::new(), blocks: pattern.blocks.len() };
     let real = real_centre_points(pattern);
@@ -173,9 +167,7 @@ fn left_side(pattern: &Pattern, outline: &[usize]) -> Option<Vec<usize>> {
     let bottom = side.iter().skip(1).position(|&p| pattern.lines[p] & line::CENTRE != 0)? + 1;
     // between bottom and top nothing but the line itself
     let rest = &side[bottom..];
-    rest.iter()
-        .all(|&p| pattern.lines[p] & line::CENTRE != 0)
-        .then(|| side[..=bottom].to_vec())
+    rest.iter().all(|&p| pattern.lines[p] & line::CENTRE != 0).then(|| side[..=bottom].to_vec())
 }
 
 /// The middle, on the line of symmetry, of a block of which one side is given.
@@ -195,8 +187,7 @@ fn mirror(
     let mut image = Vec::with_capacity(left);
     for node in 0..left {
         let [x, y] = mesh.nodes[node];
-        let central =
-            x == 0.0 && pattern.lines.get(node).is_none_or(|l| l & line::CENTRE != 0);
+        let central = x == 0.0 && pattern.lines.get(node).is_none_or(|l| l & line::CENTRE != 0);
         if central {
             image.push(node);
         } else {
@@ -259,9 +250,11 @@ fn divide_block(
     let Some(found) = best_triangles(&corners) else {
         return Err(MeshingError::NoTriangles { x: centre[0], y: centre[1] });
     };
-    mesh.triangles.extend(
-        found.into_iter().map(|t| Triangle { nodes: t.map(|k| outline[k]), block, material }),
-    );
+    mesh.triangles.extend(found.into_iter().map(|t| Triangle {
+        nodes: t.map(|k| outline[k]),
+        block,
+        material,
+    }));
     Ok(())
 }
 

@@ -101,7 +101,7 @@ impl NodeSets {
                     applied_n -= force * value(&set.motion.history, time_s) * n as f64;
                 }
             }
-            let described_n = described.iter().map(|history| value(history, time_s)).sum();
+            let described_n: f64 = described.iter().map(|history| value(history, time_s)).sum();
             if (applied_n - described_n).abs() > 1e-9 * largest {
                 let (found, expected) = (applied_n, described_n);
                 return Err(MeshingError::LoadSum { time: time_s, found, expected });

@@ -22,8 +22,6 @@ pub(super) mod line {
     pub const END: u32 = 16;
     /// The outer face of ring and footing.
     pub const RING: u32 = 32;
-    /// The far side of the soil.
-    pub const FAR: u32 = 64;
 }
 
 /// A block: a polygon of shared points, counter-clockwise.
@@ -173,9 +171,8 @@ pub(super) fn without_spikes(outline: &mut Vec<usize>) {
             outline.clear();
             return;
         }
-        let spike = (0..n).find(|&k| {
-            outline[k] == outline[(k + 1) % n] || outline[k] == outline[(k + 2) % n]
-        });
+        let spike = (0..n)
+            .find(|&k| outline[k] == outline[(k + 1) % n] || outline[k] == outline[(k + 2) % n]);
         let Some(k) = spike else { return };
         if outline[k] != outline[(k + 1) % n] {
             // a b a: b goes, and the second a with the next turn

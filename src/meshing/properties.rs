@@ -1,10 +1,11 @@
 //! What bodies, joints and contacts are made of.
 
 use super::MeshingError;
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// An elastic material and its contact.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Material {
     /// Young's modulus \[Pa\].
@@ -86,7 +87,7 @@ impl Material {
 }
 
 /// A joint that softens and breaks.
-#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Joint {
     /// Tensile strength \[Pa\].

@@ -46,8 +46,7 @@ impl TimeStepBounds {
         let mut wave_s = f64::INFINITY;
         for (triangle, &set) in model.mesh.triangles.iter().zip(&sets.of_triangle) {
             let material = sets.sets[set].material;
-            let speed =
-                ((material.lambda() + 2.0 * material.mu()) / material.density_kg_m3).sqrt();
+            let speed = ((material.lambda() + 2.0 * material.mu()) / material.density_kg_m3).sqrt();
             wave_s = wave_s.min(model.mesh.height(triangle) / speed);
         }
         // ω² dt² + 2 γ dt = 4, without cancellation
@@ -243,11 +242,8 @@ fn springs(model: &Model, sets: &PropertySets, triangles: &[Stiff]) -> Vec<Sprin
             let mut stiffness = contact(index, length) + contact(other, length);
             let [p, q] = [index, other].map(|t| sets.of_triangle[t]);
             if let (Some(set), Some(joints)) = (sets.joint_between(model, p, q), model.joints) {
-                let joint = if set == super::property_sets::INSIDE {
-                    joints.inside
-                } else {
-                    joints.mortar
-                };
+                let joint =
+                    if set == super::property_sets::INSIDE { joints.inside } else { joints.mortar };
                 stiffness += joint.penalty_pa;
             }
             springs.push(Spring { pairs, stiffness });

@@ -54,8 +54,7 @@ fn next(pattern: &Pattern, smallest: f64) -> Option<Step> {
                 {
                     continue;
                 }
-                let on =
-                    [from[0] + along * (to[0] - from[0]), from[1] + along * (to[1] - from[1])];
+                let on = [from[0] + along * (to[0] - from[0]), from[1] + along * (to[1] - from[1])];
                 let gap = distance(on, pattern.points[p]);
                 if gap < best
                     && let Some(to) = can_bend(pattern, p, [a, b], on)

@@ -5,6 +5,7 @@ use super::{
     node_sets::NodeSets,
     properties::Joint,
     property_sets::PropertySets,
+    scenario::RunTimes,
 };
 use std::collections::{BTreeMap, BTreeSet};
 use yformat::{
@@ -37,6 +38,7 @@ pub(super) fn deck(
     properties: &PropertySets,
     node_sets: &NodeSets,
     times: Times,
+    run: RunTimes,
 ) -> Deck {
     let mut builder = DeckBuilder::new(Dialect::Split);
     for comment in header {
@@ -45,7 +47,7 @@ pub(super) fn deck(
     builder = control(builder, model, times);
     builder = nodes(builder, model, node_sets);
     builder = elements(builder, model, properties);
-    builder = contact(builder, model);
+    builder = contact(builder, model, run);
     builder = histories(builder);
     builder = materials(builder, properties);
     if let Some(joints) = &model.joints {
@@ -149,17 +151,21 @@ pub(super) fn joints(model: &Model) -> usize {
     edges.len()
 }
 
-fn contact(builder: DeckBuilder, model: &Model) -> DeckBuilder {
+fn contact(builder: DeckBuilder, model: &Model, run: RunTimes) -> DeckBuilder {
+    if run.contact == Some(false) {
+        return builder.comment("no contact").integer("YDI/MICOUP", 0);
+    }
     let mesh = &model.mesh;
     let heights: f64 = mesh.triangles.iter().map(|t| mesh.height(t)).sum();
-    let buffer = 0.1 * heights / mesh.triangles.len().max(1) as f64;
+    let own = round(0.1 * heights / mesh.triangles.len().max(1) as f64);
+    let buffer = run.contact_buffer_m.unwrap_or(own);
     builder
         .comment("contact")
         .integer("YDI/MICOUP", length(mesh.triangles.len() * 40 + 100))
         .integer("YDI/NICOUP", 0)
         .integer("YDI/IIECFF", -2)
         .integer("YDI/MISTATE", 6)
-        .real("YDI/DIEZON", round(buffer))
+        .real("YDI/DIEZON", buffer)
         .real("YDI/DIEDI", 200.0)
 }
 

@@ -7,11 +7,12 @@ use crate::meshing::{
     model::{Model, Motion, Support},
     properties::{Material, count, not_negative, positive},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A square block on a held plane, with a velocity to the right. It stops after v²/(2 µ g). The
 /// origin is under the block's left corner.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct BlockOnPlane {
     /// Edge of the block \[m\].
@@ -66,10 +67,8 @@ impl BlockOnPlane {
         let mut mesh = Mesh::default();
         let plane = [[left, -self.edge_m / 2.0], [right, 0.0]];
         let held = mesh.rectangle(plane, [cells as usize, 1], 0);
-        let block =
-            mesh.rectangle([[0.0; 2], [self.edge_m; 2]], [self.cells, self.cells], 0);
-        let mut model =
-            bodies("block on a plane".to_owned(), mesh, vec![("block", self.material)]);
+        let block = mesh.rectangle([[0.0; 2], [self.edge_m; 2]], [self.cells, self.cells], 0);
+        let mut model = bodies("block on a plane".to_owned(), mesh, vec![("block", self.material)]);
         let (name, nodes) = ("plane".to_owned(), held.collect());
         model.supports = vec![Support { name, nodes, motion: Motion::CLAMPED }];
         model.velocities = block.map(|node| (node, [self.velocity_m_s, 0.0])).collect();

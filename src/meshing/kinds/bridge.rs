@@ -8,11 +8,12 @@ use crate::meshing::{
     properties::{Joint, Material, count, not_negative, positive},
     tidy::tidy,
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// An arch bridge: a semicircular ring of voussoirs on footings, spandrels in courses above and
 /// beside it, soil at both ends. The origin is on the ground under the keystone.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Bridge {
     /// Length of the masonry L \[m\].
@@ -58,7 +59,7 @@ pub struct Bridge {
 }
 
 /// How the blocks of a course lie on those of the course below.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize, Deserialize, JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum BlockBond {
     /// Shifted by half a block.
@@ -157,11 +158,8 @@ impl Bridge {
         };
         let half = shape.half;
         let far = half + self.soil_width_m;
-        let support = |name: &str, nodes| Support {
-            name: name.to_owned(),
-            nodes,
-            motion: Motion::CLAMPED,
-        };
+        let support =
+            |name: &str, nodes| Support { name: name.to_owned(), nodes, motion: Motion::CLAMPED };
         model.supports = vec![
             support("base left", model.nodes_where(|[x, y]| y == 0.0 && x < 0.0 && x >= -half)),
             support("base right", model.nodes_where(|[x, y]| y == 0.0 && x > 0.0 && x <= half)),
@@ -271,8 +269,7 @@ impl Shape {
         }
         let above = (((bridge.height_m - key) / course).round() as usize).max(1);
         let lower = bridge.courses.saturating_sub(above).max(1);
-        let mut courses: Vec<f64> =
-            (0..lower).map(|k| key * k as f64 / lower as f64).collect();
+        let mut courses: Vec<f64> = (0..lower).map(|k| key * k as f64 / lower as f64).collect();
         let step = (bridge.height_m - key) / above as f64;
         courses.extend((0..above).map(|k| key + step * k as f64));
         courses.push(bridge.height_m);

@@ -7,11 +7,12 @@ use crate::meshing::{
     model::{Model, Motion, Support},
     properties::{Material, count, positive},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Blocks on top of each other, without mortar. The lowest one is held. The origin is in the
 /// middle of its lower face.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Column {
     /// Number of blocks, the held one included.

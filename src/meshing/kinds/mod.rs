@@ -22,8 +22,7 @@ use super::{
 
 /// A model of separate bodies without joints.
 fn bodies(title: String, mesh: Mesh, materials: Vec<(&'static str, Material)>) -> Model {
-    let substance =
-        |(name, material)| Substance { name, material, bond: Bond::Continuous };
+    let substance = |(name, material)| Substance { name, material, bond: Bond::Continuous };
     Model {
         title,
         area: mesh.total_area(),

@@ -7,6 +7,7 @@ use crate::meshing::{
     model::{Drive, Model, Motion, Support},
     properties::{Material, count, positive},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A bar held at its left end and pulled to the right at its other end, and beyond a gap a second
@@ -14,7 +15,7 @@ use serde::{Deserialize, Serialize};
 ///
 /// With a second bar of half the length the free end of the first one moves u = g (2 + x)/3,
 /// x = F l/(E A g), once the gap is closed (x ≥ 1), and u = g x before.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct TwoBars {
     /// Length of the left bar l \[m\].
@@ -89,7 +90,8 @@ impl TwoBars {
         let start = end + self.gap_m;
         let stop = start + self.right_length_m;
         let right = mesh.rectangle([[start, 0.0], [stop, height]], [lengths[1], self.cells], 0);
-        let mut model = bodies("two bars with a gap".to_owned(), mesh, vec![("bars", self.material)]);
+        let mut model =
+            bodies("two bars with a gap".to_owned(), mesh, vec![("bars", self.material)]);
         let at = |nodes: std::ops::Range<usize>, x: f64, model: &Model| -> Vec<usize> {
             nodes.filter(|&n| model.mesh.nodes[n][0] == x).collect()
         };
@@ -110,14 +112,11 @@ impl TwoBars {
             },
         };
         let each = 1.0 / self.cells as f64;
-        let (corners, between): (Vec<usize>, Vec<usize>) = loaded.into_iter().partition(|&n| corner(n));
-        let held = |name: &str, nodes| Support {
-            name: name.to_owned(),
-            nodes,
-            motion: Motion::CLAMPED,
-        };
-        let right_held =
-            if self.rigid_right { right.collect() } else { at(right, stop, &model) };
+        let (corners, between): (Vec<usize>, Vec<usize>) =
+            loaded.into_iter().partition(|&n| corner(n));
+        let held =
+            |name: &str, nodes| Support { name: name.to_owned(), nodes, motion: Motion::CLAMPED };
+        let right_held = if self.rigid_right { right.collect() } else { at(right, stop, &model) };
         model.supports = vec![
             held("left end", at(left, 0.0, &model)),
             held("right end", right_held),

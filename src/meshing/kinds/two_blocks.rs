@@ -7,11 +7,12 @@ use crate::meshing::{
     model::Model,
     properties::{Material, count, positive},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// Two square blocks in line, the left one with a velocity to the right, without gravity. The
 /// origin is in the middle of the gap, at the height of the lower faces.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct TwoBlocks {
     /// Edge of a block \[m\].

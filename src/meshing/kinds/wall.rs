@@ -7,12 +7,13 @@ use crate::meshing::{
     pattern::Pattern,
     properties::{Joint, Material, count, not_negative, positive},
 };
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
 /// A wall of bricks in running bond between two beams: the lower one is held; the upper one
 /// carries a vertical load, is then locked vertically and moves to the right. The origin is at the
 /// lower left corner of the bricks.
-#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct Wall {
     /// Number of courses.
@@ -186,11 +187,8 @@ impl Wall {
             let x = model.mesh.nodes[node][0];
             let share = if x < 1e-9 || x > width - 1e-9 { 0.5 } else { 1.0 };
             let force = self.vertical_stress_pa * cell * share / copies[node].max(1) as f64;
-            let motion = Motion {
-                drives: [still, Drive::Force(-force)],
-                later,
-                history: history.clone(),
-            };
+            let motion =
+                Motion { drives: [still, Drive::Force(-force)], later, history: history.clone() };
             let name = "upper beam, loaded".to_owned();
             supports.push(Support { name, nodes: vec![node], motion });
         }

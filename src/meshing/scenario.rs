@@ -1,0 +1,208 @@
+//! Scenario files.
+
+use super::{
+    MeshingError,
+    kinds::{BlockOnPlane, Bridge, Column, TwoBars, TwoBlocks, Wall},
+    loads::{Load, Staging},
+    model::Model,
+    properties::{count, not_negative, positive},
+};
+use schemars::JsonSchema;
+use serde::{Deserialize, Serialize};
+use std::path::Path;
+
+/// A structure, its loads and its run, as a TOML file says it.
+///
+/// ```
+/// use ypsilon::meshing::Scenario;
+///
+/// let scenario = Scenario::parse(
+///     "[column]\nblocks = 3\n[[loads]]\ntype = \"point\"\nforce_n = 1e4\n",
+/// )?;
+/// let generated = scenario.generate()?;
+/// assert_eq!(generated.model.mesh.blocks, 3);
+/// # Ok::<(), ypsilon::meshing::MeshingError>(())
+/// ```
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct Scenario {
+    /// One line that says what it is.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub title: Option<String>,
+    /// The structure: an arch bridge of masonry.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bridge: Option<Bridge>,
+    /// The structure: a wall in running bond between two beams.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall: Option<Wall>,
+    /// The structure: a block that slides on a plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block_on_plane: Option<BlockOnPlane>,
+    /// The structure: two blocks that collide.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub two_blocks: Option<TwoBlocks>,
+    /// The structure: two bars with a gap that a force closes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub two_bars: Option<TwoBars>,
+    /// The structure: blocks on top of each other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub column: Option<Column>,
+    /// Times, contact and output of the run.
+    pub run: RunTimes,
+    /// When and how fast loads come.
+    pub staging: Staging,
+    /// What is put on the structure.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub loads: Vec<Load>,
+    /// Sums over nodes that are written while the run goes on.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub monitors: Vec<Watch>,
+}
+
+/// Times, contact and output of a run.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(default, deny_unknown_fields)]
+pub struct RunTimes {
+    /// Time step \[s\]; about half of what is stable if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub step_s: Option<f64>,
+    /// End of the run \[s\]; when the loads have settled if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub end_s: Option<f64>,
+    /// Time between outputs \[s\]; a fortieth of the run if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub output_s: Option<f64>,
+    /// Distance up to which triangles are watched for contact \[m\]; a tenth of their mean height
+    /// if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact_buffer_m: Option<f64>,
+    /// Whether bodies can touch; they can if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub contact: Option<bool>,
+    /// Steps between two lines of the monitors; 100 if it is not given.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub monitor_interval: Option<usize>,
+}
+
+/// Sums over the nodes of a selection, as `ypsilon run --monitor` writes them.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Watch {
+    /// Name of the columns.
+    pub name: String,
+    /// The nodes: `all`, `set:N`, `box:X0:X1,Y0:Y1` and so on.
+    pub nodes: String,
+    /// What is summed up, such as `reaction-x` or `kinetic-energy`.
+    pub quantities: Vec<String>,
+}
+
+/// A structure that a generator makes.
+pub trait Kind {
+    /// The structure's model: mesh, materials, supports.
+    ///
+    /// # Errors
+    /// If a parameter has no sense.
+    fn model(&self) -> Result<Model, MeshingError>;
+}
+
+macro_rules! kinds {
+    ($($field:ident: $kind:ty, $title:literal;)*) => {
+        $(impl Kind for $kind {
+            fn model(&self) -> Result<Model, MeshingError> {
+                <$kind>::model(self)
+            }
+        })*
+
+        impl Scenario {
+            /// Kinds of structures: how scenario files call them, and what they are.
+            pub const KINDS: &'static [(&'static str, &'static str)] =
+                &[$((stringify!($field), $title)),*];
+
+            /// Structures that are described here; a scenario has one.
+            fn kinds(&self) -> Vec<(&'static str, &dyn Kind)> {
+                let mut found: Vec<(&'static str, &dyn Kind)> = Vec::new();
+                $(if let Some(kind) = &self.$field {
+                    found.push((stringify!($field), kind));
+                })*
+                found
+            }
+
+            /// A scenario of a kind with the kind's defaults; none if there is no such kind.
+            #[must_use]
+            pub fn of_kind(name: &str) -> Option<Self> {
+                match name {
+                    $(stringify!($field) => Some(Scenario {
+                        $field: Some(<$kind>::default()),
+                        ..Scenario::default()
+                    }),)*
+                    _ => None,
+                }
+            }
+        }
+    };
+}
+
+kinds! {
+    bridge: Bridge, "arch bridge of masonry with spandrels, footings and soil";
+    wall: Wall, "wall of bricks in running bond between two beams, loaded and sheared";
+    block_on_plane: BlockOnPlane, "block that slides on a plane";
+    two_blocks: TwoBlocks, "two blocks in line that collide";
+    two_bars: TwoBars, "two bars with a gap that a force closes";
+    column: Column, "dry blocks on top of each other";
+}
+
+impl Scenario {
+    /// Reads a scenario from TOML.
+    ///
+    /// # Errors
+    /// If the text is no scenario, with line and column.
+    pub fn parse(text: &str) -> Result<Self, MeshingError> {
+        toml::from_str(text).map_err(|error| MeshingError::Scenario(error.to_string()))
+    }
+
+    /// Reads a scenario file.
+    ///
+    /// # Errors
+    /// If it cannot be read or is no scenario.
+    pub fn read(path: &Path) -> Result<Self, MeshingError> {
+        let text = std::fs::read_to_string(path)
+            .map_err(|source| MeshingError::Io { path: path.to_path_buf(), source })?;
+        Self::parse(&text)
+    }
+
+    /// The structure's name and generator.
+    ///
+    /// # Errors
+    /// If none or more than one is described.
+    pub fn kind(&self) -> Result<(&'static str, &dyn Kind), MeshingError> {
+        let found = self.kinds();
+        let names = |kinds: &[(&'static str, &str)]| {
+            kinds.iter().map(|(name, _)| format!("[{name}]")).collect::<Vec<_>>().join(", ")
+        };
+        match found.as_slice() {
+            [one] => Ok(*one),
+            [] => Err(MeshingError::Scenario(format!(
+                "there is no structure: one table of {} is needed",
+                names(Self::KINDS)
+            ))),
+            [(a, _), (b, _), ..] => Err(MeshingError::Scenario(format!(
+                "there are two structures, [{a}] and [{b}]: a scenario describes one"
+            ))),
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), MeshingError> {
+        for (name, value) in [
+            ("run.step_s", self.run.step_s),
+            ("run.end_s", self.run.end_s),
+            ("run.output_s", self.run.output_s),
+        ] {
+            value.map_or(Ok(()), |value| positive(name, value))?;
+        }
+        not_negative("run.contact_buffer_m", self.run.contact_buffer_m.unwrap_or(0.0))?;
+        if let Some(interval) = self.run.monitor_interval {
+            count("run.monitor_interval", interval.min(2), 1)?;
+        }
+        Ok(())
+    }
+}
