@@ -49,7 +49,7 @@ enum Command {
     #[command(after_help = extract::HELP)]
     Extract(extract::ExtractArguments),
     /// Make decks of bridges, walls, columns and blocks from parameters or scenario files
-    Mesh(mesh::MeshArguments),
+    Mesh(Box<mesh::MeshArguments>),
     /// List the deck keywords of a dialect with their meaning
     Keywords(keywords::KeywordArguments),
 }
