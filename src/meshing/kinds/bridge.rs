@@ -80,7 +80,7 @@ impl Default for Bridge {
             ring_thickness_m: 0.45,
             voussoirs: None,
             footing_blocks: None,
-            courses: 22,
+            courses: 15,
             block_length_m: 0.5,
             bond: BlockBond::Running,
             triangles_per_block: 2,
