@@ -4,12 +4,12 @@ use super::{
     Exit,
     console::{say, warn},
 };
-use crate::meshing::{
-    Flag, Generated, MeshingError, Scenario, flags, picture, scenario_from_flags,
+use crate::{
+    meshing::{Flag, MeshingError, Scenario, flags, picture, scenario_from_flags},
+    session::write_generated,
 };
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
-use std::path::{Path, PathBuf};
-use yformat::part_file::PartFile;
+use std::path::PathBuf;
 
 /// What is told below the help.
 const HELP: &str = "\
@@ -180,8 +180,8 @@ pub(super) fn main(arguments: &MeshArguments) -> Exit {
         warn("error: no file for the deck is given: -o FILE");
         return Exit::Usage;
     };
-    if let Err(error) = write_deck(&generated, output) {
-        warn(&format!("error: cannot write {}: {error}", output.display()));
+    if let Err(error) = write_generated(&generated, output) {
+        warn(&format!("error: {error}"));
         return Exit::Output;
     }
     if let Some(path) = &arguments.picture
@@ -194,14 +194,6 @@ pub(super) fn main(arguments: &MeshArguments) -> Exit {
         generated.report().iter().for_each(|line| say(line));
     }
     Exit::Done
-}
-
-/// Writes the deck of a scenario.
-pub(super) fn write_deck(generated: &Generated, path: &Path) -> std::io::Result<()> {
-    use std::io::Write;
-    let mut file = PartFile::create(path)?;
-    file.write_all(generated.deck.to_text().as_bytes())?;
-    file.complete().map(drop)
 }
 
 fn fail(error: &dyn std::error::Error) -> Exit {

@@ -1,21 +1,26 @@
-use super::{Exit, console::warn, deck_report, interrupt, progress::Screen};
+use super::{
+    Exit,
+    console::{say, warn},
+    deck_report, interrupt,
+    progress::Screen,
+};
 use crate::{
     output::{Monitor, MonitorPlan, OutputError, OutputNames},
     scene::Profile,
     session::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
-        StopReason, load, run_with,
+        ScenarioError, StopReason, deck_of_scenario, load, run_with,
     },
     simulation::SolverOptions,
 };
 use clap::{Args, ValueEnum};
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use yformat::{diagnostic::Severity, dialect::Dialect};
 
 /// What to run and what to write.
 #[derive(Debug, Args)]
 pub(super) struct RunArguments {
-    /// Input deck (`.y`)
+    /// Input deck (`.y`), or scenario (`.toml`) whose deck is made into the folder of the results
     deck: PathBuf,
     /// Folder of the results, made if it does not exist
     #[arg(long = "out", value_name = "DIR", default_value = ".")]
@@ -52,9 +57,10 @@ pub(super) struct RunArguments {
     #[arg(long = "monitor", value_name = "MONITOR")]
     monitors: Vec<Monitor>,
     /// Steps between two lines of the monitors
-    #[arg(long = "monitor-every", value_name = "N", default_value_t = 100,
+    /// [default: 100, or what the scenario says]
+    #[arg(long = "monitor-every", value_name = "N",
           value_parser = clap::value_parser!(u64).range(1..))]
-    monitor_interval: u64,
+    monitor_interval: Option<u64>,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
     #[arg(long, conflicts_with = "resume")]
@@ -101,12 +107,32 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
 
 impl RunArguments {
     /// The checkpoint to go on from.
-    fn earlier(&self) -> Result<Option<Checkpoint>, CheckpointError> {
+    fn earlier(&self, deck: &Path) -> Result<Option<Checkpoint>, CheckpointError> {
         let file = |given: &Option<PathBuf>| {
-            let own = || OutputNames::new(&self.deck, &self.folder).checkpoint();
+            let own = || OutputNames::new(deck, &self.folder).checkpoint();
             given.clone().unwrap_or_else(own)
         };
         self.resume.as_ref().map(|given| Checkpoint::read(&file(given))).transpose()
+    }
+
+    /// The deck to run; that of a scenario is made now.
+    fn deck_and_monitors(&self) -> Result<(PathBuf, MonitorPlan), ScenarioError> {
+        if self.deck.extension().is_none_or(|ending| ending != "toml") {
+            return Ok((self.deck.clone(), MonitorPlan::default()));
+        }
+        let made = deck_of_scenario(&self.deck, &self.folder)?;
+        if !self.quiet {
+            made.generated.report().iter().for_each(|line| say(line));
+        }
+        Ok((made.path, made.monitors))
+    }
+
+    /// What is watched: the scenario's monitors, then those of the command line.
+    fn plan(&self, of_scenario: MonitorPlan) -> MonitorPlan {
+        let mut plan = of_scenario;
+        plan.monitors.extend(self.monitors.iter().cloned());
+        plan.interval = self.monitor_interval.unwrap_or(plan.interval);
+        plan
     }
 
     /// What is asked for; what is not said is as in the earlier run.
@@ -146,29 +172,36 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
             return Exit::Usage;
         }
     }
-    let resume = match arguments.earlier() {
+    let (deck, scenario_monitors) = match arguments.deck_and_monitors() {
+        Ok(found) => found,
+        Err(error) => {
+            warn(&format!("error: {error}"));
+            return match error {
+                ScenarioError::Meshing { .. } | ScenarioError::Monitor { .. } => Exit::Input,
+                ScenarioError::Foreign(_) | ScenarioError::Io { .. } => Exit::Output,
+            };
+        }
+    };
+    let resume = match arguments.earlier(&deck) {
         Ok(resume) => resume,
         Err(error) => return report_failure(&error.into()),
     };
     let settings = arguments.settings(resume.as_ref());
     let dialect = settings.dialect.as_deref().and_then(|name| name.parse::<Dialect>().ok());
     let solver = SolverOptions { skip_separated_couples: !arguments.no_skip };
-    let loaded = match load(&arguments.deck, dialect, settings.profile, solver) {
+    let loaded = match load(&deck, dialect, settings.profile, solver) {
         Ok(loaded) => loaded,
         Err(fault) => return deck_report::print_fault(&fault, arguments.quiet),
     };
     interrupt::install();
     let options = RunOptions {
-        deck: arguments.deck.clone(),
+        deck,
         folder: arguments.folder.clone(),
         formats: settings.formats,
         states: settings.states,
         steps: arguments.steps,
         legacy_d3plot: settings.legacy_d3plot,
-        monitors: MonitorPlan {
-            monitors: arguments.monitors.clone(),
-            interval: arguments.monitor_interval,
-        },
+        monitors: arguments.plan(scenario_monitors),
         profile: settings.profile,
     };
     let every = arguments.checkpoint_every;

@@ -4,6 +4,7 @@ use super::{
     MeshingError,
     pattern::{Pattern, Point, area, line, middle},
 };
+use std::collections::BTreeMap;
 
 /// A triangle of a block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -216,6 +217,38 @@ fn mirror(
         mesh.triangles.push(Triangle { nodes, block, material });
     }
 }
+
+/// Divides pairs of triangles of one block right of the line of symmetry along the other
+/// diagonal, each triangle once at most, where that gives triangles of a fair shape.
+pub(super) fn flip_right_half(mesh: &mut Mesh) {
+    let mut flipped = vec![false; mesh.triangles.len()];
+    let mut open: BTreeMap<[usize; 2], (usize, usize)> = BTreeMap::new();
+    for index in 0..mesh.triangles.len() {
+        let here = mesh.triangles[index];
+        if here.nodes.iter().any(|&node| mesh.nodes[node][0] < 0.0) {
+            continue;
+        }
+        for k in 0..3 {
+            let [a, b, apex] = [0, 1, 2].map(|l| here.nodes[(k + l) % 3]);
+            let Some(&(other, opposite)) = open.get(&[b, a]) else {
+                open.insert([a, b], (index, apex));
+                continue;
+            };
+            if mesh.triangles[other].block != here.block || flipped[index] || flipped[other] {
+                continue;
+            }
+            let [one, two] = [[apex, a, opposite], [opposite, b, apex]];
+            let fair = |nodes: [usize; 3]| quality(nodes.map(|node| mesh.nodes[node])) > FAIR;
+            if fair(one) && fair(two) {
+                (mesh.triangles[index].nodes, mesh.triangles[other].nodes) = (one, two);
+                (flipped[index], flipped[other]) = (true, true);
+            }
+        }
+    }
+}
+
+/// Least quality of triangles that other diagonals may make.
+const FAIR: f64 = 0.4;
 
 fn check_turns(mesh: &Mesh) -> Result<(), MeshingError> {
     match mesh.triangles.iter().find(|t| mesh.area(t) <= 0.0) {

@@ -81,8 +81,10 @@ impl Pattern {
     }
 
     /// Makes every point that lies on an edge a corner of the blocks at that edge, so that
-    /// neighbours share whole edges.
+    /// neighbours share whole edges. Points that no block has any more do not count.
     pub fn conform(&mut self) {
+        let mut used = vec![false; self.points.len()];
+        self.blocks.iter().flat_map(|block| &block.outline).for_each(|&p| used[p] = true);
         for block in &mut self.blocks {
             let mut outline = Vec::with_capacity(block.outline.len());
             for (k, &a) in block.outline.iter().enumerate() {
@@ -90,7 +92,7 @@ impl Pattern {
                 outline.push(a);
                 let (from, to) = (self.points[a], self.points[b]);
                 let mut between: Vec<(f64, usize)> = (0..self.points.len())
-                    .filter(|&p| p != a && p != b)
+                    .filter(|&p| used[p] && p != a && p != b)
                     .filter_map(|p| Some((inside_edge(self.points[p], from, to)?, p)))
                     .collect();
                 between.sort_by(|x, y| x.0.total_cmp(&y.0));

@@ -27,12 +27,12 @@ pub struct TimeStepBounds {
 }
 
 impl TimeStepBounds {
-    /// A time step well below the bounds: half of it, rounded down to one digit that is 1, 2 or 5.
+    /// A time step below the bounds: three quarters of it, rounded down to one digit.
     #[must_use]
     pub fn suggestion_s(&self) -> f64 {
-        let most = 0.5 * self.together_s;
+        let most = 0.75 * self.together_s;
         let decade = 10f64.powf(most.log10().floor());
-        let digit = [5.0, 2.0].into_iter().find(|d| d * decade <= most).unwrap_or(1.0);
+        let digit = (most / decade).floor().max(1.0);
         // through text: 5e-6, not 4.999999999999999e-6
         format!("{digit}e{}", decade.log10().round()).parse().unwrap_or(digit * decade)
     }

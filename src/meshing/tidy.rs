@@ -15,7 +15,8 @@ pub(super) fn tidy(pattern: &mut Pattern, smallest: f64) -> usize {
             Step::Merge { goes, stays } => merge(pattern, goes, stays),
             Step::Bend { point, edge, to } => {
                 pattern.points[point] = to;
-                pattern.lines[point] |= pattern.lines[edge[0]] & pattern.lines[edge[1]];
+                let common = pattern.lines[edge[0]] & pattern.lines[edge[1]];
+                pattern.lines[point] |= common & !line::FIXED;
                 insert(pattern, point, edge);
             }
         }
@@ -39,12 +40,15 @@ fn next(pattern: &Pattern, smallest: f64) -> Option<Step> {
         let n = block.outline.len();
         for k in 0..n {
             let (a, b) = (block.outline[k], block.outline[(k + 1) % n]);
-            let length = distance(pattern.points[a], pattern.points[b]);
-            if length < best
-                && let Some((goes, stays)) = can_merge(pattern, a, b)
-            {
-                best = length;
-                step = Some(Step::Merge { goes, stays });
+            // ends of an edge, and corners across the block
+            for &b in &block.outline[k + 1..] {
+                let length = distance(pattern.points[a], pattern.points[b]);
+                if length < best
+                    && let Some((goes, stays)) = can_merge(pattern, a, b)
+                {
+                    best = length;
+                    step = Some(Step::Merge { goes, stays });
+                }
             }
             for &p in block.outline.iter().filter(|&&p| p != a && p != b) {
                 let (from, to) = (pattern.points[a], pattern.points[b]);

@@ -7,6 +7,7 @@ mod observer;
 mod restage;
 mod resume;
 mod run;
+mod scenario;
 mod summary;
 mod writers;
 
@@ -14,6 +15,9 @@ pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
 pub use load::{DeckFault, LoadedDeck, load};
 pub use observer::{Observer, Progress, Silent};
 pub use run::{RunError, RunOptions, run, run_with};
+pub use scenario::{
+    ScenarioDeck, ScenarioError, deck_of_scenario, monitors, write as write_generated,
+};
 pub use summary::{RunSummary, StopReason};
 
 use serde::{Deserialize, Serialize};

@@ -2,7 +2,7 @@
 
 use crate::meshing::{
     MeshingError,
-    mesh::{Division, divide_mirrored},
+    mesh::{Division, divide_mirrored, flip_right_half},
     model::{Bond, Joints, Model, Motion, Substance, Support},
     pattern::{Pattern, Point, area, line},
     properties::{Joint, Material, count, not_negative, positive},
@@ -41,6 +41,9 @@ pub struct Bridge {
     pub bond: BlockBond,
     /// Triangles of a block without neighbours' corners on its edges: 2, or 4 around its middle.
     pub triangles_per_block: usize,
+    /// Whether the triangles of the right half mirror those of the left one; if not, blocks of
+    /// the right half are divided along their other diagonals.
+    pub symmetric: bool,
     /// Width of the soil at each end \[m\]; 0 for none.
     pub soil_width_m: f64,
     /// What is thinner than this is closed \[m\]; 0.35 of a course if it is not given.
@@ -80,10 +83,11 @@ impl Default for Bridge {
             ring_thickness_m: 0.45,
             voussoirs: None,
             footing_blocks: None,
-            courses: 22,
+            courses: 15,
             block_length_m: 0.5,
             bond: BlockBond::Running,
             triangles_per_block: 2,
+            symmetric: true,
             soil_width_m: 2.0,
             smallest_m: None,
             gravity_m_s2: -9.81,
@@ -118,7 +122,10 @@ impl Bridge {
         pattern.check_areas()?;
         let division =
             if self.triangles_per_block == 4 { Division::Middle } else { Division::Fewest };
-        let mesh = divide_mirrored(&pattern, division)?;
+        let mut mesh = divide_mirrored(&pattern, division)?;
+        if !self.symmetric {
+            flip_right_half(&mut mesh);
+        }
         let opening = area(&shape.opening());
         let masonry = self.span_m * self.height_m - opening;
         let soil = 2.0 * self.soil_width_m * self.height_m;
