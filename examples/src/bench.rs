@@ -1,0 +1,265 @@
+//! Where and how long a case runs, with helpers to run scenarios.
+
+use crate::{Case, CaseError, case::Figure, measure};
+use std::{
+    ops::ControlFlow,
+    path::{Path, PathBuf},
+    sync::Mutex,
+    time::Instant,
+};
+use ypsilon::{
+    meshing::{Generated, Scenario},
+    output::{Monitor, MonitorPlan},
+    scene::Profile,
+    session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent},
+    simulation::{Simulation, SolverOptions},
+};
+use ypsilon_post::{plot::Picture, results::Results, table::Table};
+
+/// How much of a case is run.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Length {
+    /// All of it.
+    Full,
+    /// What the test suite has time for.
+    Short,
+}
+
+/// Where and how long a case runs.
+#[derive(Debug)]
+pub struct Bench {
+    /// The folder of the case: scenario files.
+    folder: PathBuf,
+    /// Where decks and results go.
+    work: PathBuf,
+    /// Where pictures go.
+    pictures: PathBuf,
+    length: Length,
+    /// Seconds and triangle-steps of all runs so far.
+    tally: Mutex<(f64, u64)>,
+}
+
+/// A run through a session, with its results.
+#[derive(Debug)]
+pub struct Run {
+    /// What was made from the scenario.
+    pub generated: Generated,
+    /// What the run did.
+    pub summary: RunSummary,
+    /// The deck; results lie beside it.
+    pub deck: PathBuf,
+    /// Wall-clock seconds.
+    pub seconds: f64,
+    /// Triangles times steps.
+    pub triangle_steps: u64,
+}
+
+impl Run {
+    /// The results that the run wrote, VTU files before d3plot ones.
+    ///
+    /// # Errors
+    /// If it wrote none or they cannot be read.
+    pub fn results(&self) -> Result<Results, CaseError> {
+        let pvd = self.deck.with_extension("pvd");
+        let path = if pvd.exists() { pvd } else { self.deck.with_extension("") };
+        Ok(Results::open(&path)?)
+    }
+
+    /// The table of the monitors.
+    ///
+    /// # Errors
+    /// If there were none.
+    pub fn monitors(&self) -> Result<Table, CaseError> {
+        Ok(Table::read(&self.deck.with_extension("monitors.csv"))?)
+    }
+}
+
+/// A simulation that was watched step by step.
+#[derive(Debug)]
+pub struct Watched {
+    /// What was made from the scenario.
+    pub generated: Generated,
+    /// The simulation where it stopped.
+    pub simulation: Simulation,
+    /// Whether places or velocities are no numbers any more.
+    pub is_unstable: bool,
+    /// Wall-clock seconds.
+    pub seconds: f64,
+}
+
+impl Bench {
+    /// A bench for a case that works in a folder of its own under `work`. Pictures go to the
+    /// case's folder if its length is full.
+    #[must_use]
+    pub fn new(case: &Case, work: &Path, length: Length) -> Self {
+        let folder = case.folder();
+        let work = work.join(case.name);
+        let pictures = if length == Length::Full { folder.clone() } else { work.clone() };
+        Self { folder, work, pictures, length, tally: Mutex::new((0.0, 0)) }
+    }
+
+    /// How much of the case is to be run.
+    #[must_use]
+    pub fn length(&self) -> Length {
+        self.length
+    }
+
+    /// The first value for full cases, the second for short ones.
+    #[must_use]
+    pub fn pick<T>(&self, full: T, short: T) -> T {
+        match self.length {
+            Length::Full => full,
+            Length::Short => short,
+        }
+    }
+
+    /// Where decks and results go.
+    #[must_use]
+    pub fn work(&self) -> &Path {
+        &self.work
+    }
+
+    /// Reads a scenario file of the case's folder.
+    ///
+    /// # Errors
+    /// If it cannot be read.
+    pub fn scenario(&self, file: &str) -> Result<Scenario, CaseError> {
+        Ok(Scenario::read(&self.folder.join(file))?)
+    }
+
+    /// Runs a scenario through a session, as `ypsilon mesh` and `ypsilon run` do. Monitors of
+    /// the scenario are written.
+    ///
+    /// # Errors
+    /// If the scenario makes no deck, the run fails or files cannot be written.
+    pub fn run(
+        &self,
+        scenario: &Scenario,
+        name: &str,
+        formats: &[Format],
+    ) -> Result<Run, CaseError> {
+        let (generated, deck) = self.deck(scenario, name)?;
+        let started = Instant::now();
+        let loaded = load(&deck)?;
+        let options = RunOptions {
+            deck: deck.clone(),
+            folder: self.work.clone(),
+            formats: formats.to_vec(),
+            states: Vec::new(),
+            steps: None,
+            legacy_d3plot: false,
+            monitors: monitors(scenario)?,
+            profile: Profile::default(),
+        };
+        let summary = session::run_with(loaded, &options, Checkpoints::default(), &mut Silent)
+            .map_err(Box::new)?;
+        let seconds = started.elapsed().as_secs_f64();
+        let triangle_steps = (summary.triangle_steps_per_second * summary.seconds).round() as u64;
+        self.count(seconds, triangle_steps);
+        Ok(Run { generated, summary, deck, seconds, triangle_steps })
+    }
+
+    /// Runs the first stage of a scenario without result files. `watch` sees the simulation at
+    /// the start of each step, with the forces of its place, and once at the end; it may stop it.
+    /// Motion that becomes unstable stops as well.
+    ///
+    /// # Errors
+    /// If the scenario makes no deck or the deck has errors.
+    pub fn watch(
+        &self,
+        scenario: &Scenario,
+        name: &str,
+        mut watch: impl FnMut(&Simulation) -> ControlFlow<()>,
+    ) -> Result<Watched, CaseError> {
+        let (generated, deck) = self.deck(scenario, name)?;
+        let loaded = load(&deck)?;
+        let Some(mut simulation) = loaded.simulation else {
+            return Err(CaseError::missing(format!("{} runs nothing", deck.display())));
+        };
+        let started = Instant::now();
+        let mut is_unstable = false;
+        let first = simulation.step_index();
+        loop {
+            simulation.evaluate_forces();
+            if watch(&simulation).is_break()
+                || simulation.step_index() >= simulation.scene().control.end_step
+            {
+                break;
+            }
+            simulation.advance();
+            if simulation.step_index().is_multiple_of(64) && !is_sound(&simulation) {
+                is_unstable = true;
+                break;
+            }
+        }
+        is_unstable |= !is_sound(&simulation);
+        let seconds = started.elapsed().as_secs_f64();
+        let steps = simulation.step_index() - first;
+        self.count(seconds, steps * simulation.triangles().count() as u64);
+        Ok(Watched { generated, simulation, is_unstable, seconds })
+    }
+
+    /// Writes a picture of the case.
+    ///
+    /// # Errors
+    /// If it cannot be written.
+    pub fn picture(
+        &self,
+        picture: &Picture,
+        file: &str,
+        caption: &str,
+    ) -> Result<Figure, CaseError> {
+        std::fs::create_dir_all(&self.pictures).map_err(CaseError::at(&self.pictures))?;
+        picture.write(&self.pictures.join(file))?;
+        Ok(Figure { file: file.to_owned(), caption: caption.to_owned() })
+    }
+
+    /// Seconds and triangle-steps of all runs so far.
+    #[must_use]
+    pub fn tally(&self) -> (f64, u64) {
+        *self.tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner)
+    }
+
+    fn count(&self, seconds: f64, triangle_steps: u64) {
+        let mut tally = self.tally.lock().unwrap_or_else(std::sync::PoisonError::into_inner);
+        tally.0 += seconds;
+        tally.1 += triangle_steps;
+    }
+
+    fn deck(&self, scenario: &Scenario, name: &str) -> Result<(Generated, PathBuf), CaseError> {
+        let generated = scenario.generate()?;
+        std::fs::create_dir_all(&self.work).map_err(CaseError::at(&self.work))?;
+        let deck = self.work.join(format!("{name}.y"));
+        crate::record::write(&deck, &generated.deck.to_text())?;
+        Ok((generated, deck))
+    }
+}
+
+fn is_sound(simulation: &Simulation) -> bool {
+    measure::kinetic_energy(simulation).is_finite()
+}
+
+fn load(deck: &Path) -> Result<session::LoadedDeck, CaseError> {
+    session::load(deck, None, Profile::default(), SolverOptions::default()).map_err(|fault| {
+        let message = match &fault {
+            DeckFault::Findings { findings, .. } => {
+                findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")
+            }
+            DeckFault::Io { source, .. } => source.to_string(),
+        };
+        CaseError::Deck { deck: deck.to_path_buf(), message }
+    })
+}
+
+/// The monitors of a scenario.
+fn monitors(scenario: &Scenario) -> Result<MonitorPlan, CaseError> {
+    let mut plan = MonitorPlan::default();
+    for watch in &scenario.monitors {
+        let words = format!("{}={}:{}", watch.name, watch.nodes, watch.quantities.join(","));
+        plan.monitors.push(words.parse::<Monitor>()?);
+    }
+    if let Some(interval) = scenario.run.monitor_interval {
+        plan.interval = interval.max(1) as u64;
+    }
+    Ok(plan)
+}
