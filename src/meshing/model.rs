@@ -88,6 +88,8 @@ pub struct Model {
     pub top: Vec<usize>,
     /// Velocities at the start; zero where there are none \[m/s\].
     pub velocities: BTreeMap<usize, Point>,
+    /// Places at the start, where they are not those of the mesh, which is free of stress \[m\].
+    pub start: BTreeMap<usize, Point>,
     /// What the triangles have to cover \[m²\].
     pub area: f64,
     /// Number of bodies.

@@ -2,7 +2,9 @@
 
 use super::{
     MeshingError,
-    kinds::{BlockOnPlane, Bridge, Column, TwoBars, TwoBlocks, Wall},
+    kinds::{
+        Arch, BlockOnPlane, Bridge, Column, Cube, Dominoes, RockingBlock, TwoBars, TwoBlocks, Wall,
+    },
     loads::{Load, Staging},
     model::Model,
     properties::{count, not_negative, positive},
@@ -47,6 +49,18 @@ pub struct Scenario {
     /// The structure: blocks on top of each other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub column: Option<Column>,
+    /// The structure: a cube, in plane form a square.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cube: Option<Cube>,
+    /// The structure: an arch of dry voussoirs.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub arch: Option<Arch>,
+    /// The structure: a block that rocks on a plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub rocking_block: Option<RockingBlock>,
+    /// The structure: dominoes that topple one after the other.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub dominoes: Option<Dominoes>,
     /// Times, contact and output of the run.
     pub run: RunTimes,
     /// When and how fast loads come.
@@ -149,6 +163,10 @@ kinds! {
     two_blocks: TwoBlocks, "two blocks in line that collide";
     two_bars: TwoBars, "two bars with a gap that a force closes";
     column: Column, "dry blocks on top of each other";
+    cube: Cube, "square that is deformed in a known way, pressed, or left to its weight";
+    arch: Arch, "circular arch of dry voussoirs between two held blocks";
+    rocking_block: RockingBlock, "slender block that is tilted and let go on a plane";
+    dominoes: Dominoes, "row of dominoes, the first one pushed";
 }
 
 impl Scenario {

@@ -85,6 +85,8 @@ fn nodes(builder: DeckBuilder, model: &Model, node_sets: &NodeSets) -> DeckBuild
     let count = model.mesh.nodes.len();
     let copies = model.mesh.triangles.iter().filter(|t| model.bonded(t.material)).count() * 3;
     let places: Vec<f64> = model.mesh.nodes.iter().flatten().copied().collect();
+    let start = |(node, place): (usize, &[f64; 2])| *model.start.get(&node).unwrap_or(place);
+    let current = model.mesh.nodes.iter().enumerate().flat_map(start).collect();
     let velocities = (0..count)
         .flat_map(|node| model.velocities.get(&node).copied().unwrap_or_default())
         .collect();
@@ -94,7 +96,7 @@ fn nodes(builder: DeckBuilder, model: &Model, node_sets: &NodeSets) -> DeckBuild
         .integer("YDN/NNODIM", 2)
         .integer("YDN/MNOPO", length(count + copies))
         .integer("YDN/NNOPO", length(count))
-        .reals2("YDN/D2NCC", 2, places.clone())
+        .reals2("YDN/D2NCC", 2, current)
         .reals2("YDN/D2NCI", 2, places)
         .reals2("YDN/D2NVC", 2, velocities)
         .integers("YDN/I1NOBF", boundary(model))

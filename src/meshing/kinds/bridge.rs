@@ -156,6 +156,7 @@ impl Bridge {
             supports: Vec::new(),
             top: Vec::new(),
             velocities: Default::default(),
+            start: Default::default(),
             area: masonry + soil,
             bodies: 1,
             second_stage_s: None,

@@ -147,6 +147,7 @@ impl Wall {
             supports: Vec::new(),
             top: Vec::new(),
             velocities: Default::default(),
+            start: Default::default(),
             area: width * (height + 2.0 * self.beam_height_m),
             bodies: 1,
             second_stage_s: Some(self.shear_from_s),
