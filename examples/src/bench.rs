@@ -11,7 +11,7 @@ use ypsilon::{
     meshing::{Generated, Scenario},
     output::{Monitor, MonitorPlan},
     scene::Profile,
-    session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent},
+    session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent, StopReason},
     simulation::{Simulation, SolverOptions},
 };
 use ypsilon_post::{plot::Picture, results::Results, table::Table};
@@ -35,6 +35,8 @@ pub struct Bench {
     /// Where pictures go.
     pictures: PathBuf,
     length: Length,
+    /// Whether finished runs of the same deck are taken instead of running it again.
+    reuse: bool,
     /// Seconds and triangle-steps of all runs so far.
     tally: Mutex<(f64, u64)>,
 }
@@ -95,7 +97,14 @@ impl Bench {
         let folder = case.folder();
         let work = work.join(case.name);
         let pictures = if length == Length::Full { folder.clone() } else { work.clone() };
-        Self { folder, work, pictures, length, tally: Mutex::new((0.0, 0)) }
+        Self { folder, work, pictures, length, reuse: false, tally: Mutex::new((0.0, 0)) }
+    }
+
+    /// The same, but finished runs that lie in the working folder are taken instead of running
+    /// the same deck again: for long cases whose evaluation changes.
+    #[must_use]
+    pub fn reusing(self, reuse: bool) -> Self {
+        Self { reuse, ..self }
     }
 
     /// How much of the case is to be run.
@@ -127,8 +136,8 @@ impl Bench {
         Ok(Scenario::read(&self.folder.join(file))?)
     }
 
-    /// Runs a scenario through a session, as `ypsilon mesh` and `ypsilon run` do. Monitors of
-    /// the scenario are written.
+    /// Runs a scenario through a session, as `ypsilon run SCENARIO` does, in a folder `name` of
+    /// the working folder. Monitors of the scenario are written.
     ///
     /// # Errors
     /// If the scenario makes no deck, the run fails or files cannot be written.
@@ -138,13 +147,21 @@ impl Bench {
         name: &str,
         formats: &[Format],
     ) -> Result<Run, CaseError> {
+        let generated = scenario.generate()?;
+        if self.reuse
+            && let Some((deck, summary)) = self.finished(&generated, name)
+        {
+            return Ok(self.done(generated, summary, deck, None));
+        }
         let (generated, deck) = self.deck(scenario, name)?;
         let started = Instant::now();
         let loaded = load(&deck)?;
+        let mut formats = formats.to_vec();
+        formats.push(Format::Json);
         let options = RunOptions {
             deck: deck.clone(),
-            folder: self.work.clone(),
-            formats: formats.to_vec(),
+            folder: self.work.join(name),
+            formats,
             states: Vec::new(),
             steps: None,
             legacy_d3plot: false,
@@ -154,9 +171,38 @@ impl Bench {
         let summary = session::run_with(loaded, &options, Checkpoints::default(), &mut Silent)
             .map_err(Box::new)?;
         let seconds = started.elapsed().as_secs_f64();
+        Ok(self.done(generated, summary, deck, Some(seconds)))
+    }
+
+    fn done(
+        &self,
+        generated: Generated,
+        summary: RunSummary,
+        deck: PathBuf,
+        seconds: Option<f64>,
+    ) -> Run {
+        let seconds = seconds.unwrap_or(summary.seconds);
         let triangle_steps = (summary.triangle_steps_per_second * summary.seconds).round() as u64;
         self.count(seconds, triangle_steps);
-        Ok(Run { generated, summary, deck, seconds, triangle_steps })
+        Run { generated, summary, deck, seconds, triangle_steps }
+    }
+
+    /// A finished run of the same deck, comments aside.
+    fn finished(&self, generated: &Generated, name: &str) -> Option<(PathBuf, RunSummary)> {
+        let deck = self.deck_path(name);
+        let bare = |text: &str| -> Vec<String> {
+            text.lines().filter(|line| !line.starts_with("/*")).map(str::to_owned).collect()
+        };
+        if bare(&std::fs::read_to_string(&deck).ok()?) != bare(&generated.deck.to_text()) {
+            return None;
+        }
+        let text = std::fs::read_to_string(deck.with_extension("run.json")).ok()?;
+        let summary: RunSummary = serde_json::from_str(&text).ok()?;
+        (summary.stop == StopReason::Finished).then_some((deck, summary))
+    }
+
+    fn deck_path(&self, name: &str) -> PathBuf {
+        self.work.join(name).join(format!("{name}.y"))
     }
 
     /// Runs the first stage of a scenario without result files. `watch` sees the simulation at
@@ -228,8 +274,9 @@ impl Bench {
 
     fn deck(&self, scenario: &Scenario, name: &str) -> Result<(Generated, PathBuf), CaseError> {
         let generated = scenario.generate()?;
-        std::fs::create_dir_all(&self.work).map_err(CaseError::at(&self.work))?;
-        let deck = self.work.join(format!("{name}.y"));
+        let folder = self.work.join(name);
+        std::fs::create_dir_all(&folder).map_err(CaseError::at(&folder))?;
+        let deck = self.deck_path(name);
         crate::record::write(&deck, &generated.deck.to_text())?;
         Ok((generated, deck))
     }

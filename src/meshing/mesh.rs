@@ -198,7 +198,9 @@ fn mirror(
     }
     let blocks = mesh.blocks;
     let mut blocks_image: Vec<Option<usize>> = vec![None; blocks];
-    for index in 0..mesh.triangles.len() {
+    // backwards: joints evaluate their points in the order of the edge of their first triangle, each
+    // with the strength that the one before left, so images of joints need the other triangle first
+    for index in (0..mesh.triangles.len()).rev() {
         let Triangle { nodes: [a, b, c], block, material } = mesh.triangles[index];
         let block = if index < alone {
             *blocks_image[block].get_or_insert_with(|| {

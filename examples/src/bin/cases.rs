@@ -37,6 +37,9 @@ enum Command {
         /// Where decks and results go
         #[arg(long, default_value = "target/cases")]
         work: PathBuf,
+        /// Take finished runs of the same decks that lie there instead of running them again
+        #[arg(long)]
+        reuse: bool,
     },
     /// Run cases, write their results.json, README.md and pictures, and examples/REPORT.md
     Report {
@@ -49,6 +52,9 @@ enum Command {
         /// Where decks and results go
         #[arg(long, default_value = "target/cases")]
         work: PathBuf,
+        /// Take finished runs of the same decks that lie there instead of running them again
+        #[arg(long)]
+        reuse: bool,
     },
 }
 
@@ -60,8 +66,8 @@ fn main() -> ExitCode {
             }
             Ok(true)
         }
-        Command::Run { name, short, work } => run_one(&name, short, &work),
-        Command::Report { only, texts, work } => report(&only, texts, &work),
+        Command::Run { name, short, work, reuse } => run_one(&name, short, &work, reuse),
+        Command::Report { only, texts, work, reuse } => report(&only, texts, &work, reuse),
     };
     match outcome {
         Ok(true) => ExitCode::SUCCESS,
@@ -80,17 +86,22 @@ fn find(name: &str) -> Result<&'static Case, CaseError> {
     })
 }
 
-fn run_one(name: &str, short: bool, work: &Path) -> Result<bool, CaseError> {
+fn run_one(name: &str, short: bool, work: &Path, reuse: bool) -> Result<bool, CaseError> {
     let length = if short { Length::Short } else { Length::Full };
-    let (record, _) = evaluate(find(name)?, work, length)?;
+    let (record, _) = evaluate(find(name)?, work, length, reuse)?;
     print(&record.outcome.findings);
     println!("{:.1} s, {} triangle-steps", record.seconds, record.triangle_steps);
     Ok(record.outcome.findings.iter().all(Finding::agrees))
 }
 
 /// Runs a case.
-fn evaluate(case: &Case, work: &Path, length: Length) -> Result<(Record, f64), CaseError> {
-    let bench = Bench::new(case, work, length);
+fn evaluate(
+    case: &Case,
+    work: &Path,
+    length: Length,
+    reuse: bool,
+) -> Result<(Record, f64), CaseError> {
+    let bench = Bench::new(case, work, length).reusing(reuse);
     let started = std::time::Instant::now();
     let outcome = (case.evaluate)(&bench)?;
     let (seconds, triangle_steps) = bench.tally();
@@ -123,7 +134,7 @@ fn print(findings: &[Finding]) {
 }
 
 /// Independent cases run two at a time.
-fn report(only: &[String], texts: bool, work: &Path) -> Result<bool, CaseError> {
+fn report(only: &[String], texts: bool, work: &Path, reuse: bool) -> Result<bool, CaseError> {
     let every = cases::all();
     let chosen: Vec<&'static Case> = match (texts, only) {
         (true, _) => Vec::new(),
@@ -136,13 +147,17 @@ fn report(only: &[String], texts: bool, work: &Path) -> Result<bool, CaseError> 
         for _ in 0..2 {
             scope.spawn(|| {
                 while let Some(case) = chosen.get(next.fetch_add(1, Ordering::Relaxed)) {
-                    let done = evaluate(case, work, Length::Full).and_then(|(record, seconds)| {
-                        let findings = &record.outcome.findings;
-                        let agree = findings.iter().filter(|f| f.agrees()).count();
-                        let all = findings.len();
-                        println!("{}: {agree} of {all} findings agree, {seconds:.1} s", case.name);
-                        record.write(case)
-                    });
+                    let done =
+                        evaluate(case, work, Length::Full, reuse).and_then(|(record, seconds)| {
+                            let findings = &record.outcome.findings;
+                            let agree = findings.iter().filter(|f| f.agrees()).count();
+                            let all = findings.len();
+                            println!(
+                                "{}: {agree} of {all} findings agree, {seconds:.1} s",
+                                case.name
+                            );
+                            record.write(case)
+                        });
                     if let Err(error) = done {
                         eprintln!("error: {}: {error}", case.name);
                         let mut faults = faults.lock().unwrap_or_else(PoisonError::into_inner);

@@ -1,0 +1,227 @@
+//! Loads that change fast: half a sine wave, and a convoy.
+
+use super::{
+    family::{BridgeRun, run_all},
+    pictures::{self, Shown},
+};
+use crate::{Bench, Case, CaseError, Finding, Group, Length, Outcome};
+use ypsilon_post::field::Field;
+
+/// Half a sine wave of the distributed load.
+pub(super) const SINE: Case = Case {
+    name: "sine-load",
+    group: Group::Bridges,
+    title: "Bridges under half a sine wave of load",
+    source: "thesis, section 4.5.1, figures 4.17 and 4.18",
+    about: "\
+The bridges of [self-weight](../self-weight/README.md) with 110 kN/m over the whole top times a half sine from
+1.5 s to 3.5 s.",
+    evaluate: evaluate_sine,
+};
+
+/// Four axles at 100 km/h.
+pub(super) const CONVOY: Case = Case {
+    name: "convoy",
+    group: Group::Bridges,
+    title: "Bridges under a convoy at 100 km/h",
+    source: "thesis, section 4.5.2, figures 4.19 and 4.20",
+    about: "\
+The bridges of [self-weight](../self-weight/README.md) with four axles of 250 kN, 1.6 m apart, that stand at the
+left end of the top, come in quarters every 0.5 s after 1.5 s, and then drive to the right end at 27.8 m/s; forces at
+the nodes are given every 0.01 s and amount to 1000 kN at every instant.",
+    evaluate: evaluate_convoy,
+};
+
+/// The lowest point of the top at each time \[m\], since loads began.
+fn deflections(run: &mut BridgeRun) -> Result<Vec<[f64; 2]>, CaseError> {
+    let (settled, times) = (run.settled, run.results.times().to_vec());
+    let later = times.into_iter().filter(|&time| time >= settled - 1e-9);
+    later
+        .map(|time| {
+            let top = run.top(Some(settled), time)?;
+            Ok([time, -top.iter().map(|p| p[1]).fold(f64::INFINITY, f64::min)])
+        })
+        .collect()
+}
+
+/// Largest compression of each state \[Pa\].
+fn compressions(run: &mut BridgeRun) -> Result<Vec<[f64; 2]>, CaseError> {
+    (0..run.results.len())
+        .map(|index| {
+            let frame = run.results.frame(index)?;
+            Ok([frame.time, run.compression(&frame).0])
+        })
+        .collect()
+}
+
+fn largest(curve: &[[f64; 2]]) -> [f64; 2] {
+    curve.iter().copied().max_by(|a, b| a[1].total_cmp(&b[1])).unwrap_or([f64::NAN; 2])
+}
+
+fn at(curve: &[[f64; 2]], time: f64) -> f64 {
+    let near = curve.iter().min_by(|a, b| (a[0] - time).abs().total_cmp(&(b[0] - time).abs()));
+    near.map_or(f64::NAN, |p| p[1])
+}
+
+const STIFFER: &str = "\
+All joints are bonded and no gaps are left here; the thesis's blocks, with gaps where cut ones were left out, \
+are softer.";
+
+fn evaluate_sine(bench: &Bench) -> Result<Outcome, CaseError> {
+    let mut runs = run_all(bench)?;
+    let (mut findings, mut figures) = (Vec::new(), Vec::new());
+    let full = bench.length() == Length::Full;
+    let scale = if full { 1.0 } else { 0.1 };
+    let mut paths = Vec::new();
+    for run in &mut runs {
+        let label = run.label;
+        let deflection = deflections(run)?;
+        let [when, most] = largest(&deflection);
+        if label.contains("0.25") && full {
+            let reason = "the thesis's value is read from a colour bar";
+            let name = "largest displacement, D = 0.25 L";
+            findings.push(Finding::told(name, "mm", 2.70, 1e3 * most, reason).noted(STIFFER));
+        }
+        findings.push(Finding::within(
+            &format!("when the deflection is largest, {label}"),
+            "s",
+            2.5 * scale,
+            when,
+            0.15 * scale,
+        ));
+        let (up, down) = (at(&deflection, 2.0 * scale), at(&deflection, 3.0 * scale));
+        findings.push(Finding::statement(
+            &format!("deflection at 0.7 of the load, {label}"),
+            "unloading above loading, or equal",
+            &format!("{:.3} mm loading, {:.3} mm unloading", 1e3 * up, 1e3 * down),
+            down >= 0.999 * up,
+        ));
+        let compression = compressions(run)?;
+        let (before, after) = (at(&compression, run.settled), at(&compression, 4.0 * scale));
+        findings.push(
+            Finding::value(
+                &format!("largest compression after unloading, {label}"),
+                "MPa",
+                before / 1e6,
+                after / 1e6,
+                if full { 0.02 } else { 0.2 },
+            )
+            .noted("Expected is the value before the load: no residual stresses."),
+        );
+        let path = compression
+            .iter()
+            .filter(|p| p[0] >= run.settled && p[0] <= 3.5 * scale)
+            .map(|p| {
+                let wave = ((p[0] - 1.5 * scale) / (2.0 * scale) * std::f64::consts::PI).sin();
+                [wave, -p[1]]
+            })
+            .collect();
+        paths.push((label.to_owned(), path));
+    }
+    if full {
+        let labels = ["load q/q0", "lowest σyy (Pa)"];
+        let caption = "Lowest σyy by load, loading and unloading (figure 4.18)";
+        figures.push(pictures::lines(bench, paths, labels, "stress-load.png", caption)?);
+        let frame = runs[0].frame_at(2.5)?;
+        let shown = Shown::new(Field::DisplacementY, "D = 0.25 L, largest load (2.5 s)");
+        let caption = "Vertical displacement at 2.5 s, self weight included";
+        figures.push(pictures::state(bench, &frame, shown, "uy.png", caption)?);
+    }
+    Ok(Outcome { findings, pictures: figures })
+}
+
+fn evaluate_convoy(bench: &Bench) -> Result<Outcome, CaseError> {
+    let mut runs = run_all(bench)?;
+    let (mut findings, mut figures) = (Vec::new(), Vec::new());
+    let full = bench.length() == Length::Full;
+    let mut curves = Vec::new();
+    for run in &mut runs {
+        let label = run.label;
+        let sums = run.run.generated.node_sets.sums.clone();
+        let driving = sums.iter().filter(|sum| sum.time_s > if full { 3.02 } else { 0.302 });
+        let worst = driving.map(|sum| (sum.applied_n - 1e6).abs()).fold(0.0, f64::max);
+        findings.push(Finding::within(
+            &format!("sum of the forces less 1000 kN, {label}"),
+            "N",
+            0.0,
+            worst,
+            1e-3,
+        ));
+        let deflection = deflections(run)?;
+        curves.push((label.to_owned(), deflection.iter().map(|p| [p[0], -p[1]]).collect()));
+        if !full {
+            continue;
+        }
+        let [when, most] = largest(&deflection);
+        if !label.contains("0.5") {
+            continue;
+        }
+        // the middle of the convoy is over the key
+        let start = 3.5;
+        let over_key = start + (run.half_length() - 2.4) / (100.0 / 3.6);
+        findings.push(
+            Finding::within(
+                &format!("when the deflection is largest, {label}"),
+                "s",
+                over_key,
+                when,
+                0.1,
+            )
+            .noted("Expected is the instant when the middle of the axles is over the key."),
+        );
+        let reason = "the thesis's value is read from a colour bar";
+        let name = format!("largest vertical displacement, {label}");
+        findings.push(Finding::told(&name, "mm", 12.0, 1e3 * most, reason).noted(STIFFER));
+        let compression = compressions(run)?;
+        findings.push(
+            Finding::range(
+                &format!("largest compression σyy, {label}"),
+                "MPa",
+                [4.0 / 2.0, 4.0 * 2.0],
+                largest(&compression)[1] / 1e6,
+            )
+            .noted("A factor of two for the size of the triangles under the axles."),
+        );
+        let frame = run.frame_at(when)?;
+        let shown = Shown::new(Field::StressYy, format!("{label}, {when:.2} s"));
+        let caption = "σyy when the deflection is largest";
+        figures.push(pictures::state(bench, &frame, shown, "syy.png", caption)?);
+        let feet = footings(run, start)?;
+        findings.push(Finding::statement(
+            &format!("footing with the larger reaction during the drive, {label}"),
+            "right",
+            &format!(
+                "left {:.0} kN more than before, right {:.0} kN",
+                feet[0] / 1e3,
+                feet[1] / 1e3
+            ),
+            feet[1] > feet[0],
+        ));
+    }
+    if full {
+        let labels = ["time (s)", "lowest displacement of the top (m)"];
+        let caption = "Deflection under the axles: stages to 3.5 s, then the drive";
+        figures.push(pictures::lines(bench, curves, labels, "deflection.png", caption)?);
+    }
+    Ok(Outcome { findings, pictures: figures })
+}
+
+/// Largest additional vertical reaction of left and right footing from a time on \[N\].
+fn footings(run: &BridgeRun, from: f64) -> Result<[f64; 2], CaseError> {
+    let table = run.run.monitors()?;
+    let time = table.find("time")?;
+    let mut largest = [0.0_f64; 2];
+    for (k, name) in ["left footing reaction-y", "right footing reaction-y"].iter().enumerate() {
+        let column = table.find(name)?;
+        let before = table
+            .rows
+            .iter()
+            .take_while(|row| row[time] < run.settled)
+            .last()
+            .map_or(f64::NAN, |row| row[column]);
+        for row in table.rows.iter().filter(|row| row[time] >= from) {
+            largest[k] = largest[k].max(row[column] - before);
+        }
+    }
+    Ok(largest)
+}
