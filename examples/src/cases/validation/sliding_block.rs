@@ -69,7 +69,8 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
         let name = format!("stop distance at v = {velocity} m/s");
         findings.push(Finding::value(&name, "m", velocity.powi(2) / 10.0, way, 0.01));
         let name = format!("stop time at v = {velocity} m/s");
-        findings.push(Finding::value(&name, "s", velocity / 5.0, time, 0.01));
+        // the block swings on its contact with a period of 37 ms, and its friction with it
+        findings.push(Finding::within(&name, "s", velocity / 5.0, time, 5e-3));
         points.push([velocity, way]);
     }
     for step in bench.pick(vec![1e-5, 1e-4, 5e-4, 1e-3, 2e-3], vec![5e-4]) {
