@@ -93,18 +93,25 @@ impl Selection {
         }
     }
 
-    /// The nodes, ascending.
+    /// The nodes, ascending. Nodes of no triangle (joint insertion leaves the deck's own nodes
+    /// behind, at rest) belong to no selection but that of their numbers.
     ///
     /// # Errors
     /// If there are none, or if the mesh does not know what is asked for.
     pub fn nodes(&self, mesh: &Mesh<'_>) -> Result<Vec<usize>, PostError> {
         let count = mesh.initial.len();
+        let mut used = vec![false; count];
+        for &node in mesh.triangles.iter().flatten() {
+            if let Some(used) = used.get_mut(node as usize) {
+                *used = true;
+            }
+        }
         let where_true = |is_chosen: &dyn Fn(usize) -> bool| -> Vec<usize> {
-            (0..count).filter(|&n| is_chosen(n)).collect()
+            (0..count).filter(|&n| used[n] && is_chosen(n)).collect()
         };
         let at = |n: usize| mesh.initial.get(n).copied().unwrap_or([f64::NAN; 2]);
         let nodes = match self {
-            Self::All => (0..count).collect(),
+            Self::All => where_true(&|_| true),
             Self::Nodes(numbers) => {
                 if let Some(&wrong) = numbers.iter().find(|&&n| n >= count) {
                     return Err(PostError::Nothing(format!(
