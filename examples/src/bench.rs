@@ -9,7 +9,6 @@ use std::{
 };
 use ypsilon::{
     meshing::{Generated, Scenario},
-    output::{Monitor, MonitorPlan},
     scene::Profile,
     session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent},
     simulation::{Simulation, SolverOptions},
@@ -148,7 +147,7 @@ impl Bench {
             states: Vec::new(),
             steps: None,
             legacy_d3plot: false,
-            monitors: monitors(scenario)?,
+            monitors: session::monitors(scenario, &deck)?,
             profile: Profile::default(),
         };
         let summary = session::run_with(loaded, &options, Checkpoints::default(), &mut Silent)
@@ -228,9 +227,8 @@ impl Bench {
 
     fn deck(&self, scenario: &Scenario, name: &str) -> Result<(Generated, PathBuf), CaseError> {
         let generated = scenario.generate()?;
-        std::fs::create_dir_all(&self.work).map_err(CaseError::at(&self.work))?;
         let deck = self.work.join(format!("{name}.y"));
-        crate::record::write(&deck, &generated.deck.to_text())?;
+        session::write_generated(&generated, &deck)?;
         Ok((generated, deck))
     }
 }
@@ -249,17 +247,4 @@ fn load(deck: &Path) -> Result<session::LoadedDeck, CaseError> {
         };
         CaseError::Deck { deck: deck.to_path_buf(), message }
     })
-}
-
-/// The monitors of a scenario.
-fn monitors(scenario: &Scenario) -> Result<MonitorPlan, CaseError> {
-    let mut plan = MonitorPlan::default();
-    for watch in &scenario.monitors {
-        let words = format!("{}={}:{}", watch.name, watch.nodes, watch.quantities.join(","));
-        plan.monitors.push(words.parse::<Monitor>()?);
-    }
-    if let Some(interval) = scenario.run.monitor_interval {
-        plan.interval = interval.max(1) as u64;
-    }
-    Ok(plan)
 }

@@ -2,7 +2,7 @@
 
 use super::arch_limit::semicircle;
 use crate::{
-    Bench, Case, CaseError, Finding, Group, Outcome,
+    Bench, Case, CaseError, Finding, Group, Outcome, measure,
     plotting::{chart, line},
 };
 use std::{collections::VecDeque, ops::ControlFlow};
@@ -87,7 +87,7 @@ fn fate(bench: &Bench, scenario: &Scenario, name: &str) -> Result<Fate, CaseErro
         return Err(CaseError::missing(format!("{name} has become unstable")));
     }
     let falls = drop.last().is_some_and(|last| last[1] > COLLAPSED);
-    Ok(Fate { falls, drop, hinges, frame: frame(&done.simulation) })
+    Ok(Fate { falls, drop, hinges, frame: measure::frame(&done.simulation) })
 }
 
 /// Joints whose sides turn against each other by more than a quarter of what the most open one
@@ -119,30 +119,6 @@ fn open_joints(
     let angle = |k: usize| 180.0 * k as f64 / voussoirs as f64 - 90.0;
     let open = opening.iter().enumerate().filter(|(_, o)| o.abs() > 0.25 * most);
     open.map(|(k, o)| (angle(k), *o > 0.0)).collect()
-}
-
-/// The bodies as they are, for a picture.
-fn frame(simulation: &Simulation) -> Frame {
-    let scene = simulation.scene();
-    let pair = |v: &ypsilon::mechanics::Vec2| [v[0], v[1]];
-    let points: Vec<[f64; 2]> = scene.nodes.current.iter().map(pair).collect();
-    let moved = scene.nodes.current.iter().zip(&scene.nodes.initial);
-    let stress = |e: usize| {
-        let t = &simulation.stresses()[e];
-        [t[(0, 0)], t[(1, 1)], 0.0, t[(0, 1)]]
-    };
-    Frame {
-        time: simulation.time(),
-        displacement: Some(moved.map(|(x, y)| pair(&(x - y))).collect()),
-        triangles: simulation
-            .triangles()
-            .map(|e| scene.elements.corners::<3>(e).map(|n| n as u32))
-            .collect(),
-        property: simulation.triangles().map(|e| scene.elements.property[e]).collect(),
-        stress: Some(simulation.triangles().map(stress).collect()),
-        points,
-        ..Frame::default()
-    }
 }
 
 fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
