@@ -9,7 +9,6 @@ use std::{
 };
 use ypsilon::{
     meshing::{Generated, Scenario},
-    output::{Monitor, MonitorPlan},
     scene::Profile,
     session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent, StopReason},
     simulation::{Simulation, SolverOptions},
@@ -165,7 +164,7 @@ impl Bench {
             states: Vec::new(),
             steps: None,
             legacy_d3plot: false,
-            monitors: monitors(scenario)?,
+            monitors: session::monitors(scenario, &deck)?,
             profile: Profile::default(),
         };
         let summary = session::run_with(loaded, &options, Checkpoints::default(), &mut Silent)
@@ -274,10 +273,8 @@ impl Bench {
 
     fn deck(&self, scenario: &Scenario, name: &str) -> Result<(Generated, PathBuf), CaseError> {
         let generated = scenario.generate()?;
-        let folder = self.work.join(name);
-        std::fs::create_dir_all(&folder).map_err(CaseError::at(&folder))?;
         let deck = self.deck_path(name);
-        crate::record::write(&deck, &generated.deck.to_text())?;
+        session::write_generated(&generated, &deck)?;
         Ok((generated, deck))
     }
 }
@@ -296,17 +293,4 @@ fn load(deck: &Path) -> Result<session::LoadedDeck, CaseError> {
         };
         CaseError::Deck { deck: deck.to_path_buf(), message }
     })
-}
-
-/// The monitors of a scenario.
-fn monitors(scenario: &Scenario) -> Result<MonitorPlan, CaseError> {
-    let mut plan = MonitorPlan::default();
-    for watch in &scenario.monitors {
-        let words = format!("{}={}:{}", watch.name, watch.nodes, watch.quantities.join(","));
-        plan.monitors.push(words.parse::<Monitor>()?);
-    }
-    if let Some(interval) = scenario.run.monitor_interval {
-        plan.interval = interval.max(1) as u64;
-    }
-    Ok(plan)
 }

@@ -7,6 +7,9 @@ pub enum CaseError {
     /// The scenario makes no deck.
     #[error(transparent)]
     Meshing(#[from] ypsilon::meshing::MeshingError),
+    /// The scenario's deck cannot be written, or its monitors make no sense.
+    #[error(transparent)]
+    Scenario(#[from] ypsilon::session::ScenarioError),
     /// The deck has errors.
     #[error("{deck}: {message}")]
     Deck {

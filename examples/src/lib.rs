@@ -15,6 +15,7 @@ pub mod cases;
 mod error;
 pub mod finding;
 pub mod measure;
+pub mod plotting;
 pub mod record;
 pub mod report;
 

@@ -1,6 +1,7 @@
 //! Quantities of a simulation: means, momenta, energies.
 
-use ypsilon::simulation::Simulation;
+use ypsilon::{mechanics::Vec2, simulation::Simulation};
+use ypsilon_post::results::Frame;
 
 /// Kinetic energy of all nodes \[J\].
 #[must_use]
@@ -56,4 +57,29 @@ pub fn displacement(
         [sum[0] + mass * u[0], sum[1] + mass * u[1]]
     });
     sum.map(|u| u / whole)
+}
+
+/// The bodies as they are, for a picture; without σzz.
+#[must_use]
+pub fn frame(simulation: &Simulation) -> Frame {
+    let scene = simulation.scene();
+    let pair = |v: &Vec2| [v[0], v[1]];
+    let points: Vec<[f64; 2]> = scene.nodes.current.iter().map(pair).collect();
+    let moved = scene.nodes.current.iter().zip(&scene.nodes.initial);
+    let stress = |e: usize| {
+        let t = &simulation.stresses()[e];
+        [t[(0, 0)], t[(1, 1)], 0.0, t[(0, 1)]]
+    };
+    Frame {
+        time: simulation.time(),
+        displacement: Some(moved.map(|(x, y)| pair(&(x - y))).collect()),
+        triangles: simulation
+            .triangles()
+            .map(|e| scene.elements.corners::<3>(e).map(|n| n as u32))
+            .collect(),
+        property: simulation.triangles().map(|e| scene.elements.property[e]).collect(),
+        stress: Some(simulation.triangles().map(stress).collect()),
+        points,
+        ..Frame::default()
+    }
 }

@@ -31,17 +31,45 @@ pub fn readme(case: &Case, record: &Record) -> Result<(), CaseError> {
         let message = format!("{} lacks {} and {}", path.display(), MARKS[0], MARKS[1]);
         return Err(CaseError::missing(message));
     };
-    let text = format!("{before}{}\n{}{}{after}", MARKS[0], case_text(case, record), MARKS[1]);
+    let text = format!("{before}{}\n{}{}{after}", MARKS[0], case_text(case, record)?, MARKS[1]);
     write(&path, &text)
 }
 
-fn case_text(case: &Case, record: &Record) -> String {
+/// The scenario files of a case.
+fn scenarios(case: &Case) -> Result<Vec<String>, CaseError> {
+    let path = case.folder();
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(&path).map_err(CaseError::at(&path))? {
+        let name = entry.map_err(CaseError::at(&path))?.file_name();
+        let name = name.to_string_lossy();
+        if name.ends_with(".toml") {
+            names.push(name.into_owned());
+        }
+    }
+    names.sort();
+    Ok(names)
+}
+
+fn case_text(case: &Case, record: &Record) -> Result<String, CaseError> {
     let mut text = format!("{}\n\nSource: {}\n\n", case.about.trim(), case.source);
     let _ = writeln!(
         text,
         "```sh\ncargo run --release -p ypsilon-examples -- report --only {}\n```\n",
         case.name
     );
+    let scenarios = scenarios(case)?;
+    let count = scenarios.len();
+    if let Some(first) = scenarios.first() {
+        let path = format!("examples/{}/{}", case.group.folder(), case.name);
+        let others = match count {
+            1 => "A single run, with results for ParaView and `ypsilon plot`:".to_owned(),
+            _ => format!("Single runs, of one of {}:", scenarios.join(", ")),
+        };
+        let _ = writeln!(
+            text,
+            "{others}\n\n```sh\nypsilon run {path}/{first} --out results --formats vtu\n```\n"
+        );
+    }
     text.push_str("| quantity | expected | obtained | difference | tolerance | |\n");
     text.push_str("|---|---|---|---|---|---|\n");
     for finding in &record.outcome.findings {
@@ -72,7 +100,7 @@ fn case_text(case: &Case, record: &Record) -> String {
         let _ = writeln!(text, "\n![{0}]({1})\n\n*{0}*", figure.caption, figure.file);
     }
     text.push('\n');
-    text
+    Ok(text)
 }
 
 /// Rewrites the report of all cases.
@@ -94,6 +122,10 @@ pub fn all(cases: &[&Case]) -> Result<(), CaseError> {
         for case in cases.iter().filter(|case| case.group == group) {
             rows(case, Record::read(case)?.as_ref(), &mut groups, &mut counts);
         }
+        for name in without_case(group, cases)? {
+            let folder = format!("{}/{name}", group.folder());
+            let _ = writeln!(groups, "| [{name}]({folder}) | not evaluated yet | | | | | |");
+        }
     }
     let [agree, differ, told] = counts;
     let _ = writeln!(
@@ -103,6 +135,25 @@ pub fn all(cases: &[&Case]) -> Result<(), CaseError> {
     );
     text.push_str(&groups);
     write(&examples().join("REPORT.md"), &text)
+}
+
+/// Folders of a group that no case evaluates.
+fn without_case(group: Group, cases: &[&Case]) -> Result<Vec<String>, CaseError> {
+    let path = examples().join(group.folder());
+    if !path.is_dir() {
+        return Ok(Vec::new());
+    }
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(&path).map_err(CaseError::at(&path))? {
+        let entry = entry.map_err(CaseError::at(&path))?;
+        let name = entry.file_name().to_string_lossy().into_owned();
+        let known = cases.iter().any(|case| case.group == group && case.name == name);
+        if entry.path().is_dir() && !known {
+            names.push(name);
+        }
+    }
+    names.sort();
+    Ok(names)
 }
 
 fn rows(case: &Case, record: Option<&Record>, text: &mut String, counts: &mut [usize; 3]) {
