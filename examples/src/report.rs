@@ -84,8 +84,8 @@ fn case_text(case: &Case, record: &Record) -> Result<String, CaseError> {
     }
     let _ = writeln!(
         text,
-        "\nRun time {} s, {} triangle-steps (Ypsilon {}).",
-        short(record.seconds),
+        "\nRun time {}, {} triangle-steps (Ypsilon {}).",
+        seconds(record.seconds),
         short(record.triangle_steps as f64),
         record.version
     );
@@ -164,8 +164,8 @@ fn rows(case: &Case, record: Option<&Record>, text: &mut String, counts: &mut [u
     };
     for (index, finding) in record.outcome.findings.iter().enumerate() {
         let [expected, obtained, difference] = cells(finding);
-        let (link, seconds) = match index {
-            0 => (link.as_str(), format!("{} s", short(record.seconds))),
+        let (link, time) = match index {
+            0 => (link.as_str(), seconds(record.seconds)),
             _ => ("", String::new()),
         };
         let kind = if !finding.is_judged() { 2 } else { usize::from(!finding.agrees()) };
@@ -177,7 +177,7 @@ fn rows(case: &Case, record: Option<&Record>, text: &mut String, counts: &mut [u
         }
         let _ = writeln!(
             text,
-            "| {link} | {} | {expected} | {obtained} | {difference} | {said} | {seconds} |",
+            "| {link} | {} | {expected} | {obtained} | {difference} | {said} | {time} |",
             finding.quantity
         );
     }
@@ -235,6 +235,11 @@ fn verdict(finding: &Finding) -> String {
 #[must_use]
 pub fn short(value: f64) -> String {
     digits(value, 5)
+}
+
+/// A run time: more digits would differ from run to run.
+fn seconds(value: f64) -> String {
+    if value < 0.1 { "below 0.1 s".to_owned() } else { format!("{} s", digits(value, 2)) }
 }
 
 fn digits(value: f64, count: usize) -> String {

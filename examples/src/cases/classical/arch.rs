@@ -168,7 +168,7 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
             findings.push(Finding::told(&name, "", 0.1074, limit, reason).noted(bracket));
         }
     }
-    let name = "intrados hinge of rigid voussoirs from the crown";
+    let name = "intrados hinge from the crown by limit analysis of these voussoirs";
     findings.push(Finding::within(name, "°", 54.5, exact.intrados_deg, 4.5));
     let found = |outer: bool, range: [f64; 2]| -> Vec<f64> {
         let kind = thin.hinges.iter().filter(|h| h.1 == outer).map(|h| h.0.abs());

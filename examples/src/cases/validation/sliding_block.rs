@@ -97,7 +97,7 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
     );
     let thesis = 0.5 * (25000.0_f64 / 300e6).sqrt();
     findings.push(
-        Finding::told("the motion diverges above Δt", "s", thesis, limit, "a rule of thumb")
+        Finding::told("limit of Δt by Eq. 3.8", "s", thesis, limit, "a rule of thumb")
             .noted("the thesis's Eq. 3.8 is a rule of thumb that knows neither mesh nor contact"),
     );
     let picture = chart(
