@@ -102,12 +102,6 @@ impl Pattern {
         }
     }
 
-    /// Total area of the blocks of a material \[m²\].
-    #[cfg(test)]
-    pub fn total_area(&self) -> f64 {
-        (0..self.blocks.len()).map(|b| self.area_of(b)).sum()
-    }
-
     /// Checks that every block runs counter-clockwise around an area.
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Bridges under their own weight.
 
 use super::{
-    family::{SETTLED, asymmetry, run_all, run_one},
+    family::{ALL, SETTLED, asymmetry, run_one, run_shown},
     pictures,
 };
 use crate::{Bench, Case, CaseError, Finding, Group, Length, Outcome};
@@ -34,7 +34,7 @@ told. The mean over the base follows from statics and agrees.";
 
 fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut findings = Vec::new();
-    let mut runs = run_all(bench)?;
+    let mut runs = run_shown(bench)?;
     let mut largest = Vec::new();
     let mut energies = Vec::new();
     for run in &mut runs {
@@ -89,7 +89,7 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
         }
         energies.push((label.to_owned(), logarithms(&history)));
     }
-    for (name, label) in super::family::ALL {
+    for &(name, label) in bench.pick(&ALL[..], &ALL[2..]) {
         let mut run = run_one(bench, &format!("without-contact-{name}"), label)?;
         let frame = run.last()?;
         findings.push(Finding::range(

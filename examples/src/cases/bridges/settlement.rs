@@ -1,7 +1,7 @@
 //! A support that settles.
 
 use super::{
-    family::run_all,
+    family::{SHORT, run_shown},
     pictures::{self, Shown},
 };
 use crate::{Bench, Case, CaseError, Finding, Group, Length, Outcome};
@@ -24,11 +24,11 @@ with 0.2 m/s from 1.5 s to 4.5 s. The soil beside it stays.",
 };
 
 fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
-    let mut runs = run_all(bench)?;
+    let mut runs = run_shown(bench)?;
     let mut findings = Vec::new();
     let mut pictures = Vec::new();
     let full = bench.length() == Length::Full;
-    let (half_way, end) = if full { (3.0, 4.5) } else { (0.3, 0.45) };
+    let (half_way, end) = if full { (3.0, 4.5) } else { (3.0 * SHORT, 4.5 * SHORT) };
     for run in &mut runs {
         let label = run.label;
         let way = settled(&run.last()?);
