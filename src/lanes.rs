@@ -7,6 +7,29 @@
 
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
+/// An array of two, three or four values of an expression in the index `k`, as
+/// `each!(3, |k| f(k))`. `array::map` and `array::from_fn` would do the same, but are not always
+/// inlined, and lanes are only fast where all is.
+macro_rules! each {
+    (2, |$k:ident| $value:expr) => {
+        each!(@ $k, $value, 0, 1)
+    };
+    (3, |$k:ident| $value:expr) => {
+        each!(@ $k, $value, 0, 1, 2)
+    };
+    (4, |$k:ident| $value:expr) => {
+        each!(@ $k, $value, 0, 1, 2, 3)
+    };
+    (@ $k:ident, $value:expr, $($index:literal),+) => {
+        [$({
+            let $k: usize = $index;
+            $value
+        }),+]
+    };
+}
+
+pub(crate) use each;
+
 #[cfg(target_arch = "x86_64")]
 mod avx2;
 mod portable;
@@ -43,6 +66,9 @@ pub trait Lanes:
 
     /// Components of four plane vectors: all first ones, all second ones.
     fn pairs(pairs: [&[f64; 2]; LANES]) -> [Self; 2];
+
+    /// The transpose: lane `i` of result `k` is lane `k` of `rows[i]`.
+    fn transpose(rows: [Self; LANES]) -> [Self; LANES];
 
     /// The plane vectors of four lanes: the inverse of [`Self::pairs`].
     fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES];
@@ -159,6 +185,8 @@ mod tests {
             bits.extend(pairs.iter().flatten().map(|v| v.to_bits()));
             let [x, y] = L::pairs([&pairs[0], &pairs[1], &pairs[2], &pairs[3]]);
             bits.extend(x.array().into_iter().chain(y.array()).map(f64::to_bits));
+            let columns = L::transpose([a, b, a, b]);
+            bits.extend(columns.iter().flat_map(|c| c.array()).map(f64::to_bits));
             let masks = [a.lt(b), a.le(b), a.gt(b), !a.lt(b)];
             bits.extend(masks.iter().map(|m| u64::from(m.bits())));
             bits.extend(masks.iter().map(|m| u64::from(m.any()) + 2 * u64::from(m.all())));
@@ -188,6 +216,7 @@ mod tests {
         each(&|_, b| b);
         bits.extend((0..4).flat_map(|i| [a[i].to_bits(), b[i].to_bits()]));
         bits.extend(a.into_iter().chain(b).map(f64::to_bits));
+        bits.extend((0..4).flat_map(|k| [a[k], b[k], a[k], b[k]]).map(f64::to_bits));
         let comparisons: [&dyn Fn(f64, f64) -> bool; 4] =
             [&|a, b| a < b, &|a, b| a <= b, &|a, b| a > b, &|a, b| !(a < b)];
         let masks = comparisons.map(|f| (0..4).fold(0, |m, i| m | u64::from(f(a[i], b[i])) << i));

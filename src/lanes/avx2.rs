@@ -144,6 +144,22 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn transpose([a, b, c, d]: [Self; LANES]) -> [Self; LANES] {
+        // SAFETY: the machine has AVX2, see the module
+        unsafe {
+            let (a, b, c, d) = (a.0, b.0, c.0, d.0);
+            let (ab_even, ab_odd) = (_mm256_unpacklo_pd(a, b), _mm256_unpackhi_pd(a, b));
+            let (cd_even, cd_odd) = (_mm256_unpacklo_pd(c, d), _mm256_unpackhi_pd(c, d));
+            [
+                Self(_mm256_permute2f128_pd::<0x20>(ab_even, cd_even)),
+                Self(_mm256_permute2f128_pd::<0x20>(ab_odd, cd_odd)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab_even, cd_even)),
+                Self(_mm256_permute2f128_pd::<0x31>(ab_odd, cd_odd)),
+            ]
+        }
+    }
+
+    #[inline(always)]
     fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES] {
         let mut pairs = [[0.0; 2]; LANES];
         // SAFETY: the machine has AVX2, see the module; each pair has 16 bytes

@@ -118,6 +118,11 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn transpose(rows: [Self; LANES]) -> [Self; LANES] {
+        std::array::from_fn(|k| Self(rows.map(|row| row.0[k])))
+    }
+
+    #[inline(always)]
     fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES] {
         std::array::from_fn(|i| [x.0[i], y.0[i]])
     }
