@@ -5,12 +5,15 @@
 
 mod classic_joints;
 mod contact_step;
+mod disjoint;
+mod domains;
 mod element_forces;
 mod emission;
 mod excavation;
 mod extra_loads;
 mod fracture;
 mod fracture_lines;
+mod free_motion;
 mod joint_forces;
 mod joint_records;
 mod motion;
@@ -26,10 +29,10 @@ use crate::{
     mechanics::Vec2,
     scene::{CohesiveModel, ContactSum, Scene},
 };
-use element_forces::TriangleResponse;
+use domains::Domains;
 use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
-use plan::{ForcePhase, Plan};
+use plan::Plan;
 
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
@@ -88,8 +91,9 @@ pub struct Simulation {
     probe_times: Vec<f64>,
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
-    /// Buffers of the threads' responses, reused from step to step.
-    responses: Vec<TriangleResponse>,
+    /// Parts of the mesh for the threads.
+    domains: Domains,
+    /// Buffer of the threads' responses, reused from step to step.
     evaluated_joints: Vec<EvaluatedJoint>,
     insertion_report: Option<InsertionReport>,
     failures: Vec<JointFailure>,
@@ -128,7 +132,7 @@ impl Simulation {
             classic: ClassicJoints::default(),
             tally: Tally::default(),
             kinetic_energy: 0.0,
-            responses: Vec::new(),
+            domains: Domains::default(),
             evaluated_joints: Vec::new(),
             insertion_report: None,
             failures: Vec::new(),
@@ -216,16 +220,7 @@ impl Simulation {
     /// contact forces.
     pub fn evaluate_forces(&mut self) {
         self.clear_forces();
-        for phase in 0..self.plan.forces.len() {
-            match self.plan.forces[phase] {
-                ForcePhase::Triangles(batch) => self.add_triangle_forces(batch),
-                ForcePhase::Joints => self.add_joint_forces(),
-                ForcePhase::EveryJoint(law) => self.add_classic_joint_forces(law),
-                ForcePhase::LoadStep(set) => {
-                    self.edge_factors[set] += self.scene.node_sets[set].edge_factor_step;
-                }
-            }
-        }
+        self.add_internal_forces();
         self.record_element_probes();
         self.add_contact_forces();
         self.record_nodal_forces();
@@ -272,6 +267,7 @@ impl Simulation {
         if let Some(contact) = &mut self.contact {
             contact.rebuild(&self.scene);
         }
+        self.divide();
     }
 
     fn clear_forces(&mut self) {

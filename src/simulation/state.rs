@@ -86,7 +86,7 @@ impl Simulation {
             // made anew in every step
             watches_contact: _,
             contact_share: _,
-            responses: _,
+            domains: _,
             evaluated_joints: _,
             insertion_report,
             failures,
@@ -146,6 +146,7 @@ impl Simulation {
         if let (Some(contact), Some(state)) = (&mut self.contact, state.contact) {
             contact.restore(state, &self.scene).map_err(StateFault)?;
         }
+        self.divide();
         Ok(())
     }
 }
