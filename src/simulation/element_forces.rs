@@ -1,10 +1,10 @@
-use super::{Simulation, plan::{Batch, ForcePhase}};
+use super::{Simulation, StressUse, plan::{Batch, ForcePhase}};
 use crate::{
     mechanics::{
         softening_triangle::{self, largest_stretch, soften},
         triangle::{self, Kinematics},
     },
-    scene::ElementKind,
+    scene::{CohesiveModel, ElementKind},
 };
 
 impl Simulation {
@@ -29,6 +29,19 @@ impl Simulation {
             }
             next += 1;
         }
+    }
+
+    /// Whether the stresses of this step have to be kept: for output, for histories, or for
+    /// what the classic dialect makes of the stresses beside its fractures, those of the
+    /// previous step among them.
+    pub(super) fn needs_stress(&self) -> bool {
+        let scene = &self.scene;
+        self.stress_use == StressUse::EveryStep
+            || scene.conventions.cohesive == CohesiveModel::Classic
+            || !self.plan.probes.is_empty()
+            // joints that break in this step may make output due
+            || scene.control.refined_output.is_some()
+            || self.is_output_step()
     }
 
     /// Forces of the triangles of a batch after which the mesh may have changed.

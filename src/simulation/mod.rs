@@ -53,6 +53,16 @@ impl Default for SolverOptions {
     }
 }
 
+/// In which steps [`Simulation::stresses`] are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StressUse {
+    /// In every step.
+    #[default]
+    EveryStep,
+    /// In those in which output is due.
+    OutputSteps,
+}
+
 /// A scene in motion.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -66,8 +76,9 @@ pub struct Simulation {
     force: Vec<Vec2>,
     /// Nodal masses, kg.
     mass: Vec<f64>,
-    /// Cauchy stress of each element, Pa.
+    /// Cauchy stress of each element, Pa, in the last step that needed it.
     stress: Vec<Matrix2<f64>>,
+    stress_use: StressUse,
     /// Shear strength of joints and shrink ratio of softening triangles.
     strength: Vec<f64>,
     /// Contact forces, where they are summed apart (classic), N.
@@ -91,8 +102,9 @@ pub struct Simulation {
     probe_times: Vec<f64>,
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
-    /// Parts of the mesh for the threads.
+    /// Parts of the mesh for the threads, and their number if somebody wants a certain one.
     domains: Domains,
+    parts: Option<usize>,
     /// Buffer of the threads' responses, reused from step to step.
     evaluated_joints: Vec<EvaluatedJoint>,
     insertion_report: Option<InsertionReport>,
@@ -123,6 +135,7 @@ impl Simulation {
             force: Vec::new(),
             mass: Vec::new(),
             stress: Vec::new(),
+            stress_use: StressUse::default(),
             strength: Vec::new(),
             contact_force: Vec::new(),
             watches_contact: false,
@@ -133,6 +146,7 @@ impl Simulation {
             tally: Tally::default(),
             kinetic_energy: 0.0,
             domains: Domains::default(),
+            parts: None,
             evaluated_joints: Vec::new(),
             insertion_report: None,
             failures: Vec::new(),

@@ -83,10 +83,12 @@ impl Simulation {
             probe_values,
             probe_times,
             kinetic_energy,
+            stress_use: _,
             // made anew in every step
             watches_contact: _,
             contact_share: _,
             domains: _,
+            parts: _,
             evaluated_joints: _,
             insertion_report,
             failures,

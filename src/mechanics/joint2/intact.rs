@@ -23,12 +23,14 @@ impl<L: Lanes> LawLanes<L> {
     /// The same constants in all lanes.
     #[inline(always)]
     pub fn new(law: &CohesiveLaw) -> Self {
+        let cohesion =
+            if law.cohesion > 0.0 { Some(L::splat(law.cohesion)) } else { None };
         Self {
             tensile_strength: L::splat(law.tensile_strength),
             peak_strength: L::splat(law.peak_strength),
             penalty: L::splat(law.penalty),
             friction: L::splat(law.friction),
-            cohesion: (law.cohesion > 0.0).then(|| L::splat(law.cohesion)),
+            cohesion,
         }
     }
 }
@@ -51,29 +53,29 @@ pub fn evaluate<L: Lanes>(
     [a, b, c, d]: [[L; 2]; 4],
     mut strength: L,
 ) -> IntactLanes<L> {
-    let [zero, half, two] = [0.0, 0.5, 2.0].map(L::splat);
-    let middle = [0, 1].map(|k| half * (b[k] + c[k] - a[k] - d[k]));
-    let length = (middle[0] * middle[0] + middle[1] * middle[1]).sqrt();
-    let [ex, ey] = middle.map(|m| m / (length + L::splat(TOLERANCE)));
-    let apart = |p: [L; 2], q: [L; 2]| {
-        let [x, y] = [p[0] - q[0], p[1] - q[1]];
-        [y * ex - x * ey, y * ey + x * ex]
-    };
-    let (start, end) = (apart(a, d), apart(b, c));
-    let middle = [0, 1].map(|k| half * (start[k] + end[k]));
-    let points = [start, middle, end];
+    // no closures here: code for the lanes would not be part of this function any more
+    let (zero, half, two) = (L::splat(0.0), L::splat(0.5), L::splat(2.0));
+    let mx = half * (b[0] + c[0] - a[0] - d[0]);
+    let my = half * (b[1] + c[1] - a[1] - d[1]);
+    let length = (mx * mx + my * my).sqrt();
+    let divisor = length + L::splat(TOLERANCE);
+    let tangent = [mx / divisor, my / divisor];
+    let (start, end) = (apart(a, d, tangent), apart(b, c, tangent));
+    let middle = [half * (start[0] + end[0]), half * (start[1] + end[1])];
 
     let peak_opening = two * length * law.peak_strength / law.penalty;
     let peak_sliding = two * length * strength / law.penalty;
-    let softens = |[opening, sliding]: [L; 2]| {
-        opening.gt(peak_opening) | sliding.abs().gt(peak_sliding)
-    };
-    let softening = (softens(start) | softens(middle) | softens(end)).bits();
+    let opens = start[0].gt(peak_opening) | middle[0].gt(peak_opening) | end[0].gt(peak_opening);
+    let slides = start[1].abs().gt(peak_sliding)
+        | middle[1].abs().gt(peak_sliding)
+        | end[1].abs().gt(peak_sliding);
 
-    let (left, end_weight) = (L::splat(INTACT), length / L::splat(6.0));
-    let weights = [end_weight, length / L::splat(3.0), end_weight];
+    let (third, sixth) = (length / L::splat(3.0), length / L::splat(6.0));
+    let points = [(start, sixth), (middle, third), (end, sixth)];
+    let (left, [ex, ey]) = (L::splat(INTACT), tangent);
     let mut point_forces = [[zero; 2]; 3];
-    for (point, [opening, sliding]) in points.into_iter().enumerate() {
+    for point in 0..3 {
+        let ([opening, sliding], weight) = points[point];
         let closed = opening.lt(zero);
         let size = L::select(closed, two * opening * law.tensile_strength, opening);
         let ratio = size / peak_opening;
@@ -86,10 +88,105 @@ pub fn evaluate<L: Lanes>(
         let ratio = sliding.abs() / peak_sliding;
         let size = (two * ratio - ratio * ratio) * left * strength;
         let shear = L::select(sliding.lt(zero), -size, size);
-        point_forces[point] = [
-            weights[point] * (shear * ex - normal * ey),
-            weights[point] * (shear * ey + normal * ex),
-        ];
+        point_forces[point] =
+            [weight * (shear * ex - normal * ey), weight * (shear * ey + normal * ex)];
     }
-    IntactLanes { point_forces, strength, softening }
+    IntactLanes { point_forces, strength, softening: (opens | slides).bits() }
+}
+
+/// Opening and sliding of two points.
+#[inline(always)]
+fn apart<L: Lanes>(p: [L; 2], q: [L; 2], [ex, ey]: [L; 2]) -> [L; 2] {
+    let (x, y) = (p[0] - q[0], p[1] - q[1]);
+    [y * ex - x * ey, y * ey + x * ex]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        lanes::{self, Kernel, LANES},
+        mechanics::{
+            Vec2,
+            joint2::{self, SplitRules},
+        },
+        scene::RockJoint,
+    };
+    use proptest::prelude::*;
+
+    /// Nodes a, b, c, d of four joints.
+    type Joints = [[[f64; 2]; 4]; LANES];
+
+    struct Evaluate<'a> {
+        law: &'a CohesiveLaw,
+        joints: &'a Joints,
+        strength: [f64; LANES],
+    }
+
+    impl Kernel for Evaluate<'_> {
+        /// Point forces of each joint, its strength and whether it softens.
+        type Output = [([[f64; 2]; 3], f64, bool); LANES];
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> Self::Output {
+            let corners = [0, 1, 2, 3]
+                .map(|i| L::pairs([0, 1, 2, 3].map(|lane| &self.joints[lane][i])));
+            let law = LawLanes::<L>::new(self.law);
+            let response = evaluate(&law, corners, L::load(&self.strength));
+            let forces = response.point_forces.map(|f| f.map(L::array));
+            let strength = response.strength.array();
+            std::array::from_fn(|lane| {
+                let forces = forces.map(|f| f.map(|component| component[lane]));
+                (forces, strength[lane], response.softening & 1 << lane != 0)
+            })
+        }
+    }
+
+    proptest! {
+        #[test]
+        fn lanes_have_the_bits_of_the_scalar_joint(
+            ends in prop::array::uniform4(prop::array::uniform2(prop::array::uniform2(-2.0..2.0))),
+            gaps in prop::array::uniform4(prop::array::uniform2(prop::array::uniform2(-1.0..1.0))),
+            reach in prop::sample::select(vec![0.0, 1e-12, 1e-3, 4e-3, 0.1]),
+            strength in prop::array::uniform4(1e6..2e7),
+            cohesion in prop::sample::select(vec![0.0, 1.2e7]),
+        ) {
+            let law = CohesiveLaw {
+                is_cohesive: true,
+                tensile_strength: 1e7,
+                shear_strength: 1.5e7,
+                fracture_energy: 1e4,
+                shear_fracture_energy: 2e4,
+                cohesion,
+                friction: 0.6,
+                residual_friction: 0.0,
+                penalty: 1e10,
+                peak_strength: 1.1e7,
+                rock: RockJoint::default(),
+                layering: None,
+            };
+            let joints: Joints = std::array::from_fn(|lane| {
+                let [a, b] = ends[lane];
+                let faces = |p: [f64; 2], gap: [f64; 2]| [0, 1].map(|k| p[k] + reach * gap[k]);
+                [a, b, faces(b, gaps[lane][0]), faces(a, gaps[lane][1])]
+            });
+            let kernel = || Evaluate { law: &law, joints: &joints, strength };
+            for lanes in [lanes::run(kernel()), lanes::run_portable(kernel())] {
+                for lane in 0..LANES {
+                    let mut left = strength[lane];
+                    let corners = joints[lane].map(Vec2::from);
+                    let response =
+                        joint2::evaluate::<SplitRules>(&law, &corners, &mut left, None);
+                    let (forces, strength, softens) = lanes[lane];
+                    prop_assert_eq!(softens, response.softens);
+                    if !softens {
+                        let bits = |f: [f64; 2]| f.map(f64::to_bits);
+                        let expected = response.point_forces.map(|f| bits(f.into()));
+                        prop_assert_eq!(forces.map(bits), expected);
+                        prop_assert_eq!(strength.to_bits(), left.to_bits());
+                    }
+                }
+            }
+        }
+    }
 }

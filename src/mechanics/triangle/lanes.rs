@@ -35,17 +35,14 @@ pub type Symmetric<L> = [L; 3];
 
 /// Constants of a stress law in all lanes.
 pub trait StressLanes<L: Lanes>: Copy {
-    /// Cauchy stress, Pa, from the strain ½(B − I) and twice the areas before and now.
-    /// `viscous` adds the viscous part to the elastic one of a component.
-    fn stress(
+    /// Cauchy stress, Pa, from the strain ½(B − I), twice the areas before and now, and, if
+    /// `VISCOUS`, the rate of deformation, 1/s.
+    fn stress<const VISCOUS: bool>(
         &self,
         strain: Symmetric<L>,
         areas: [L; 2],
-        viscous: impl Fn(usize, L) -> L,
+        rate: Symmetric<L>,
     ) -> Symmetric<L>;
-
-    /// Viscosity η, Pa·s.
-    fn viscosity(&self) -> L;
 }
 
 /// Compressible neo-Hookean.
@@ -72,24 +69,25 @@ impl<L: Lanes> NeoHookeanLanes<L> {
 
 impl<L: Lanes> StressLanes<L> for NeoHookeanLanes<L> {
     #[inline(always)]
-    fn stress(
+    fn stress<const VISCOUS: bool>(
         &self,
         strain: Symmetric<L>,
         [before, now]: [L; 2],
-        viscous: impl Fn(usize, L) -> L,
+        rate: Symmetric<L>,
     ) -> Symmetric<L> {
         let compression = before / now;
         let volumetric = self.lame_lambda * (now / before - compression);
         let pressure = volumetric * self.volumetric_share;
-        let shear = |k: usize| {
-            viscous(k, self.double_shear_modulus * strain[k] * compression)
-        };
-        [shear(0) + pressure, shear(1), shear(2) + pressure]
-    }
-
-    #[inline(always)]
-    fn viscosity(&self) -> L {
-        self.viscosity
+        let modulus = self.double_shear_modulus;
+        let mut stress = [
+            modulus * strain[0] * compression,
+            modulus * strain[1] * compression,
+            modulus * strain[2] * compression,
+        ];
+        if VISCOUS {
+            stress = add_viscous(stress, self.viscosity, rate);
+        }
+        [stress[0] + pressure, stress[1], stress[2] + pressure]
     }
 }
 
@@ -108,9 +106,9 @@ impl<L: Lanes> LinearLanes<L> {
     #[inline(always)]
     pub fn new(law: &LinearElasticity) -> Self {
         Self {
-            stiffness: law.stiffness.map(L::splat),
-            own: law.own.map(L::splat),
-            cross: law.cross.map(L::splat),
+            stiffness: [L::splat(law.stiffness[0]), L::splat(law.stiffness[1])],
+            own: [L::splat(law.own[0]), L::splat(law.own[1])],
+            cross: [L::splat(law.cross[0]), L::splat(law.cross[1])],
             shear: L::splat(law.shear),
             viscosity: L::splat(law.viscosity),
         }
@@ -119,23 +117,32 @@ impl<L: Lanes> LinearLanes<L> {
 
 impl<L: Lanes> StressLanes<L> for LinearLanes<L> {
     #[inline(always)]
-    fn stress(
+    fn stress<const VISCOUS: bool>(
         &self,
         [xx, xy, yy]: Symmetric<L>,
         _areas: [L; 2],
-        viscous: impl Fn(usize, L) -> L,
+        rate: Symmetric<L>,
     ) -> Symmetric<L> {
-        [
-            viscous(0, self.stiffness[0] * (self.own[0] * xx + self.cross[0] * yy)),
-            viscous(1, self.shear * xy),
-            viscous(2, self.stiffness[1] * (self.own[1] * yy + self.cross[1] * xx)),
-        ]
+        let stress = [
+            self.stiffness[0] * (self.own[0] * xx + self.cross[0] * yy),
+            self.shear * xy,
+            self.stiffness[1] * (self.own[1] * yy + self.cross[1] * xx),
+        ];
+        if VISCOUS { add_viscous(stress, self.viscosity, rate) } else { stress }
     }
+}
 
-    #[inline(always)]
-    fn viscosity(&self) -> L {
-        self.viscosity
-    }
+#[inline(always)]
+fn add_viscous<L: Lanes>(
+    elastic: Symmetric<L>,
+    viscosity: L,
+    rate: Symmetric<L>,
+) -> Symmetric<L> {
+    [
+        elastic[0] + viscosity * rate[0],
+        elastic[1] + viscosity * rate[1],
+        elastic[2] + viscosity * rate[2],
+    ]
 }
 
 /// Stress and nodal forces of four triangles.
@@ -156,45 +163,61 @@ pub fn respond<L: Lanes, W: StressLanes<L>, const VISCOUS: bool, const SIGNED: b
     law: &W,
     reference: &ReferenceLanes,
     corners: [[L; 2]; 3],
-    velocities: impl FnOnce() -> [[L; 2]; 3],
+    velocities: [[L; 2]; 3],
 ) -> ResponseLanes<L> {
+    // no closures here: code for the lanes would not be part of this function any more
     let [[ax, ay], [bx, by]] = edges(corners);
     let double_area = ax * by - ay * bx;
-    let inverse = [0, 1, 2, 3].map(|k| L::load(&reference.inverse_edges[k]));
-    // deformation gradient F, left Cauchy-Green tensor F Fᵀ, strain
-    let row = |a: L, b: L| {
-        [
-            sum::<L, SIGNED>(a * inverse[0], b * inverse[2]),
-            sum::<L, SIGNED>(a * inverse[1], b * inverse[3]),
-        ]
-    };
-    let (fx, fy) = (row(ax, bx), row(ay, by));
-    let half = L::splat(0.5);
-    let left = |p: [L; 2], q: [L; 2]| half * sum::<L, SIGNED>(p[0] * q[0], p[1] * q[1]);
-    let strain = [left(fx, fx) - half, left(fx, fy), left(fy, fy) - half];
     let areas = [L::load(&reference.double_area), double_area];
-    let stress = if VISCOUS {
-        let [[ux, uy], [vx, vy]] = edges(velocities());
+    let strain = strain::<L, SIGNED>(reference, ax, ay, bx, by);
+    let mut rate = strain;
+    if VISCOUS {
+        let [[ux, uy], [vx, vy]] = edges(velocities);
         // cofactors of the inverse of the edges, without their signs
-        let [c00, c01, c10, c11] = [by, bx, ay, ax].map(|m| m / double_area);
-        let along = |u: L, v: L| difference::<L, SIGNED>(u * c00, v * c10);
-        let across = |u: L, v: L| opposite_difference::<L, SIGNED>(u * c01, v * c11);
-        let (gxx, gxy, gyx, gyy) = (along(ux, vx), across(ux, vx), along(uy, vy), across(uy, vy));
-        let rate = [gxx, half * (gxy + gyx), gyy];
-        law.stress(strain, areas, |k, elastic| elastic + law.viscosity() * rate[k])
-    } else {
-        law.stress(strain, areas, |_, elastic| elastic)
-    };
+        let (c00, c01) = (by / double_area, bx / double_area);
+        let (c10, c11) = (ay / double_area, ax / double_area);
+        let xx = difference::<L, SIGNED>(ux * c00, vx * c10);
+        let xy = opposite_difference::<L, SIGNED>(ux * c01, vx * c11);
+        let yx = difference::<L, SIGNED>(uy * c00, vy * c10);
+        let yy = opposite_difference::<L, SIGNED>(uy * c01, vy * c11);
+        rate = [xx, L::splat(0.5) * (xy + yx), yy];
+    }
+    let stress = law.stress::<VISCOUS>(strain, areas, rate);
     let [xx, xy, yy] = stress;
     // outward normal of the edge opposite to the first node; those of the others are edges
     let nx = corners[2][1] - corners[1][1];
     let ny = corners[1][0] - corners[2][0];
+    let half = L::splat(0.5);
     let forces = [
-        [xx * nx + xy * ny, xy * nx + yy * ny],
-        [xy * bx - xx * by, yy * bx - xy * by],
-        [xx * ay - xy * ax, xy * ay - yy * ax],
+        [half * (xx * nx + xy * ny), half * (xy * nx + yy * ny)],
+        [half * (xy * bx - xx * by), half * (yy * bx - xy * by)],
+        [half * (xx * ay - xy * ax), half * (xy * ay - yy * ax)],
     ];
-    ResponseLanes { stress, forces: forces.map(|f| f.map(|component| half * component)) }
+    ResponseLanes { stress, forces }
+}
+
+/// Strain ½(B − I), with the left Cauchy-Green tensor B of the deformation that makes the
+/// edges of the reference a, b.
+#[inline(always)]
+fn strain<L: Lanes, const SIGNED: bool>(
+    reference: &ReferenceLanes,
+    ax: L,
+    ay: L,
+    bx: L,
+    by: L,
+) -> Symmetric<L> {
+    let [i00, i01, i10, i11] = &reference.inverse_edges;
+    let (i00, i01, i10, i11) = (L::load(i00), L::load(i01), L::load(i10), L::load(i11));
+    let fxx = sum::<L, SIGNED>(ax * i00, bx * i10);
+    let fxy = sum::<L, SIGNED>(ax * i01, bx * i11);
+    let fyx = sum::<L, SIGNED>(ay * i00, by * i10);
+    let fyy = sum::<L, SIGNED>(ay * i01, by * i11);
+    let half = L::splat(0.5);
+    [
+        half * sum::<L, SIGNED>(fxx * fxx, fxy * fxy) - half,
+        half * sum::<L, SIGNED>(fxx * fyx, fxy * fyy),
+        half * sum::<L, SIGNED>(fyx * fyx, fyy * fyy) - half,
+    ]
 }
 
 /// Edges 0→1 and 0→2.
@@ -254,7 +277,7 @@ mod tests {
             let lanes = |shapes: &Shapes| {
                 [0, 1, 2].map(|k| L::pairs([0, 1, 2, 3].map(|lane| &shapes[lane][k])))
             };
-            let (x, v) = (lanes(self.corners), || lanes(self.velocities));
+            let (x, v) = (lanes(self.corners), lanes(self.velocities));
             let response = match self.law {
                 StressLaw::NeoHookean(law) => {
                     let law = NeoHookeanLanes::<L>::new(law);

@@ -191,7 +191,8 @@ impl Kernel for Sweep<'_> {
             // SAFETY: just checked
             let corners = unsafe { gather::<L, 4>(places, &block.corners) };
             let response = intact::evaluate(&constants, corners, L::load(&block.strength));
-            let mut forces = response.point_forces.map(|[x, y]| L::unpair(x, y));
+            let [[sx, sy], [mx, my], [ex, ey]] = response.point_forces;
+            let mut forces = [L::unpair(sx, sy), L::unpair(mx, my), L::unpair(ex, ey)];
             let softening = response.softening as u8 & block.live;
             let mut broken = 0;
             if softening == 0 {

@@ -75,15 +75,16 @@ struct Step<'a> {
 }
 
 impl Domains {
-    pub fn new(scene: &Scene, plan: &Plan, strength: &[f64]) -> Self {
+    /// Into `parts` domains if that is given, otherwise into as many as pay.
+    pub fn new(scene: &Scene, plan: &Plan, strength: &[f64], parts: Option<usize>) -> Self {
         let holds_joints =
             scene.conventions.cohesive == CohesiveModel::Split && scene.fracture_network.is_none();
         let triangles: usize = plan.batches.iter().map(|batch| batch.triangles.len()).sum();
         let elements = triangles + if holds_joints { plan.joints.len() } else { 0 };
         let is_plain = !plan.excavates
             && plan.batches.iter().all(|batch| batch.kind == ElementKind::ElasticTriangle);
-        let threads = rayon::current_num_threads();
-        let count = if is_plain && elements >= PARALLEL_FROM { threads } else { 1 };
+        let pay = || if elements >= PARALLEL_FROM { rayon::current_num_threads() } else { 1 };
+        let count = if is_plain { parts.unwrap_or_else(pay).max(1) } else { 1 };
         let owners = Owners::new(scene, plan, count);
         let domain = |d| Domain {
             triangles: plan
@@ -140,9 +141,15 @@ impl Domain {
 }
 
 impl Simulation {
-    /// Divides the mesh for the threads that there are.
+    /// From now on divides the mesh into so many parts for the threads, however small it is
+    /// and however many threads there are. Results are the same to the last bit.
+    pub fn divide_into(&mut self, parts: usize) {
+        self.parts = Some(parts);
+        self.divide();
+    }
+
     pub(super) fn divide(&mut self) {
-        self.domains = Domains::new(&self.scene, &self.plan, &self.strength);
+        self.domains = Domains::new(&self.scene, &self.plan, &self.strength, self.parts);
     }
 
     /// Adds the forces of some phases that domains can do.
@@ -152,7 +159,7 @@ impl Simulation {
             plan: &self.plan,
             edge_factors: &self.edge_factors,
             time: self.time,
-            keeps_stress: true,
+            keeps_stress: self.needs_stress(),
             force: Disjoint::new(&mut self.force),
             stress: Disjoint::new(&mut self.stress),
             strength: Disjoint::new(&mut self.strength),
@@ -163,7 +170,10 @@ impl Simulation {
             [one, other] => {
                 rayon::join(|| one.add_forces(phases, &step), || other.add_forces(phases, &step));
             }
-            many => many.par_iter_mut().for_each(|domain| domain.add_forces(phases, &step)),
+            many => many
+                .par_iter_mut()
+                .with_max_len(1)
+                .for_each(|domain| domain.add_forces(phases, &step)),
         }
         if phases.contains(&ForcePhase::Joints) {
             self.record_failed_joints();

@@ -163,17 +163,21 @@ impl<C: Constants, const VISCOUS: bool, const STRESS: bool> Kernel
         for block in self.blocks {
             block.check(step);
             // SAFETY: just checked
-            let at = |values| unsafe { gather::<L, 3>(values, &block.corners) };
+            let (corners, velocities) = unsafe {
+                (gather(&nodes.current, &block.corners), gather(&nodes.velocity, &block.corners))
+            };
             let response = respond::<L, _, VISCOUS, STRESS>(
                 &law,
                 &block.reference,
-                at(&nodes.current),
-                || at(&nodes.velocity),
+                corners,
+                velocities,
             );
             if STRESS {
-                block.report(response.stress.map(L::array), step);
+                let [xx, xy, yy] = response.stress;
+                block.report([xx.array(), xy.array(), yy.array()], step);
             }
-            let forces = response.forces.map(|[x, y]| L::unpair(x, y));
+            let [[ax, ay], [bx, by], [cx, cy]] = response.forces;
+            let forces = [L::unpair(ax, ay), L::unpair(bx, by), L::unpair(cx, cy)];
             if block.owned == ALL && block.loaded == 0 {
                 for lane in 0..LANES {
                     for i in 0..3 {
@@ -267,11 +271,22 @@ pub(super) unsafe fn gather<L: Lanes, const N: usize>(
     values: &[Vec2],
     corners: &[[u32; LANES]; N],
 ) -> [[L; 2]; N] {
-    std::array::from_fn(|i| {
-        L::pairs([0, 1, 2, 3].map(|lane| {
-            // SAFETY: the caller's promise
-            let value = unsafe { values.get_unchecked(corners[i][lane] as usize) };
-            &value.data.0[0]
-        }))
-    })
+    let mut gathered = [[L::splat(0.0); 2]; N];
+    for i in 0..N {
+        let [a, b, c, d] = corners[i];
+        // SAFETY: the caller's promise
+        gathered[i] = unsafe {
+            L::pairs([pair(values, a), pair(values, b), pair(values, c), pair(values, d)])
+        };
+    }
+    gathered
+}
+
+/// # Safety
+/// `index` is below the number of values.
+#[inline(always)]
+unsafe fn pair(values: &[Vec2], index: u32) -> &[f64; 2] {
+    // SAFETY: the caller's promise
+    let value = unsafe { values.get_unchecked(index as usize) };
+    &value.data.0[0]
 }
