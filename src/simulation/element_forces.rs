@@ -1,4 +1,7 @@
-use super::{Simulation, StressUse, plan::{Batch, ForcePhase}};
+use super::{
+    Simulation, StressUse,
+    plan::{Batch, ForcePhase},
+};
 use crate::{
     mechanics::{
         softening_triangle::{self, largest_stretch, soften},

@@ -107,8 +107,7 @@ impl Kernel for Advance<'_> {
         let (dt, tolerance) = (L::splat(free.dt), L::splat(TOLERANCE));
         let (mut current, mut velocity) =
             (part.current.chunks_exact_mut(LANES), part.velocity.chunks_exact_mut(LANES));
-        let (mut force, mut mass) =
-            (part.force.chunks_exact(LANES), part.mass.chunks_exact(LANES));
+        let (mut force, mut mass) = (part.force.chunks_exact(LANES), part.mass.chunks_exact(LANES));
         let four = current.by_ref().zip(velocity.by_ref()).zip(force.by_ref().zip(mass.by_ref()));
         for ((x, v), (f, m)) in four {
             let m: &[f64; LANES] = m.try_into().unwrap_or_else(|_| unreachable!("four"));

@@ -33,6 +33,7 @@ use domains::Domains;
 use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
 use plan::Plan;
+use rayon::prelude::*;
 
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
@@ -285,11 +286,23 @@ impl Simulation {
     }
 
     fn clear_forces(&mut self) {
-        self.force.fill(Vec2::zeros());
+        clear(&mut self.force);
         self.yielded_now.clear();
         self.contact_force.fill(Vec2::zeros());
         if self.plan.masses_change {
             self.mass.copy_from_slice(&self.plan.nodal_mass);
         }
+    }
+}
+
+/// From so many nodes on, threads pay for what touches each node once.
+const PARALLEL_FROM: usize = 65_536;
+
+fn clear(forces: &mut [Vec2]) {
+    if forces.len() < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+        forces.fill(Vec2::zeros());
+    } else {
+        let part = forces.len().div_ceil(rayon::current_num_threads());
+        forces.par_chunks_mut(part).for_each(|part| part.fill(Vec2::zeros()));
     }
 }

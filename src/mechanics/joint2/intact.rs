@@ -23,8 +23,7 @@ impl<L: Lanes> LawLanes<L> {
     /// The same constants in all lanes.
     #[inline(always)]
     pub fn new(law: &CohesiveLaw) -> Self {
-        let cohesion =
-            if law.cohesion > 0.0 { Some(L::splat(law.cohesion)) } else { None };
+        let cohesion = if law.cohesion > 0.0 { Some(L::splat(law.cohesion)) } else { None };
         Self {
             tensile_strength: L::splat(law.tensile_strength),
             peak_strength: L::splat(law.peak_strength),
@@ -70,7 +69,9 @@ pub fn evaluate<L: Lanes>(
         | middle[1].abs().gt(peak_sliding)
         | end[1].abs().gt(peak_sliding);
 
-    let (third, sixth) = (length / L::splat(3.0), length / L::splat(6.0));
+    // half of a third has the bits of a sixth: no length but 0 is so small that halving rounds
+    let third = length / L::splat(3.0);
+    let sixth = half * third;
     let points = [(start, sixth), (middle, third), (end, sixth)];
     let (left, [ex, ey]) = (L::splat(INTACT), tangent);
     let mut point_forces = [[zero; 2]; 3];
@@ -129,8 +130,8 @@ mod tests {
 
         #[inline(always)]
         fn run<L: Lanes>(self) -> Self::Output {
-            let corners = [0, 1, 2, 3]
-                .map(|i| L::pairs([0, 1, 2, 3].map(|lane| &self.joints[lane][i])));
+            let corners =
+                [0, 1, 2, 3].map(|i| L::pairs([0, 1, 2, 3].map(|lane| &self.joints[lane][i])));
             let law = LawLanes::<L>::new(self.law);
             let response = evaluate(&law, corners, L::load(&self.strength));
             let forces = response.point_forces.map(|f| f.map(L::array));

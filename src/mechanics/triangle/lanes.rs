@@ -133,11 +133,7 @@ impl<L: Lanes> StressLanes<L> for LinearLanes<L> {
 }
 
 #[inline(always)]
-fn add_viscous<L: Lanes>(
-    elastic: Symmetric<L>,
-    viscosity: L,
-    rate: Symmetric<L>,
-) -> Symmetric<L> {
+fn add_viscous<L: Lanes>(elastic: Symmetric<L>, viscosity: L, rate: Symmetric<L>) -> Symmetric<L> {
     [
         elastic[0] + viscosity * rate[0],
         elastic[1] + viscosity * rate[1],

@@ -63,9 +63,8 @@ impl JointBlock {
         domain: u32,
     ) -> Vec<Vec<Self>> {
         let of_law = |law: usize| {
-            let is_here = |j: &&PlannedJoint| {
-                j.law as usize == law && owners.owned(&j.corners, domain) != 0
-            };
+            let is_here =
+                |j: &&PlannedJoint| j.law as usize == law && owners.owned(&j.corners, domain) != 0;
             let count = plan.joints.iter().filter(is_here).count();
             let lanes = plan.joints.iter().filter(is_here).map(|joint| Lane {
                 strength: strength[joint.element as usize],
@@ -245,8 +244,7 @@ impl JointBlock {
         for lane in (0..LANES).filter(|lane| softening & 1 << lane != 0) {
             let corners = self.corners.map(|nodes| places[nodes[lane] as usize]);
             strength[lane] = self.strength[lane];
-            let response =
-                joint2::evaluate::<SplitRules>(law, &corners, &mut strength[lane], None);
+            let response = joint2::evaluate::<SplitRules>(law, &corners, &mut strength[lane], None);
             for (forces, force) in forces.iter_mut().zip(&response.point_forces) {
                 forces[lane] = (*force).into();
             }

@@ -166,12 +166,8 @@ impl<C: Constants, const VISCOUS: bool, const STRESS: bool> Kernel
             let (corners, velocities) = unsafe {
                 (gather(&nodes.current, &block.corners), gather(&nodes.velocity, &block.corners))
             };
-            let response = respond::<L, _, VISCOUS, STRESS>(
-                &law,
-                &block.reference,
-                corners,
-                velocities,
-            );
+            let response =
+                respond::<L, _, VISCOUS, STRESS>(&law, &block.reference, corners, velocities);
             if STRESS {
                 let [xx, xy, yy] = response.stress;
                 block.report([xx.array(), xy.array(), yy.array()], step);
@@ -223,12 +219,7 @@ impl TriangleBlock {
     /// Adds the forces on the nodes that the domain owns, and what else acts on them.
     #[cold]
     #[inline(never)]
-    fn add_where_owned(
-        &self,
-        forces: &[[[f64; 2]; LANES]; 3],
-        batch: usize,
-        step: &Step<'_>,
-    ) {
+    fn add_where_owned(&self, forces: &[[[f64; 2]; LANES]; 3], batch: usize, step: &Step<'_>) {
         self.check(step);
         for lane in 0..LANES {
             let nodes = [0, 1, 2].map(|i| self.corners[i][lane]);
