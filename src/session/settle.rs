@@ -38,8 +38,7 @@ pub(super) fn settle(
     let mut shown = started;
     observer.settling_starts(simulation, &settling);
     let mut goes_on = |progress: &SettlingProgress| {
-        if progress.iterations.is_multiple_of(CLOCK_INTERVAL)
-            && shown.elapsed() > PROGRESS_INTERVAL
+        if progress.iterations.is_multiple_of(CLOCK_INTERVAL) && shown.elapsed() > PROGRESS_INTERVAL
         {
             shown = Instant::now();
             observer.settling(progress);

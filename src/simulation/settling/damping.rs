@@ -7,32 +7,32 @@ use crate::mechanics::Vec2;
 /// stiffness: ω² = vᵀ K v / vᵀ M v, where K v Δt is the change of the internal forces in the last
 /// step (Underwood 1983; Joldes, Wittek and Miller 2011).
 #[derive(Debug, Clone, Default)]
-pub(super) struct Damping {
-    /// Internal forces of the last iteration, N.
-    internal: Vec<Vec2>,
+pub(super) struct FrequencyEstimate {
+    /// Resisting forces of the last iteration, N.
+    before: Vec<Vec2>,
 }
 
-impl Damping {
-    /// Takes in the internal forces of this iteration; gives the damping coefficient 2 ω, 1/s.
-    /// `velocities` are those that led here, `masses` the fictitious ones.
-    pub fn coefficient(
+impl FrequencyEstimate {
+    /// Takes in the resisting forces of this iteration, N; gives the critical damping coefficient
+    /// 2 ω, 1/s. `velocities` are those that led here, `masses` the fictitious ones.
+    pub fn critical_damping(
         &mut self,
         free: &FreeNodes,
         velocities: &[Vec2],
         masses: &[f64],
-        internal: &[Vec2],
+        resisting: &[Vec2],
         dt: f64,
     ) -> f64 {
         let (mut power, mut kinetic) = (0.0, 0.0);
-        if self.internal.len() == internal.len() {
+        if self.before.len() == resisting.len() {
             for (k, free) in free.list.iter().enumerate() {
                 let v = velocities[free.node as usize];
-                power -= v.dot(&(internal[k] - self.internal[k]));
+                power -= v.dot(&(resisting[k] - self.before[k]));
                 kinetic += masses[k] * v.norm_squared();
             }
         }
-        self.internal.clear();
-        self.internal.extend_from_slice(internal);
+        self.before.clear();
+        self.before.extend_from_slice(resisting);
         if power > 0.0 && kinetic > 0.0 { 2.0 * (power / (kinetic * dt)).sqrt() } else { 0.0 }
     }
 }

@@ -7,10 +7,14 @@ pub enum Unsettleable {
     #[error("it has rigid triangles (type 2), which move with masses of their own")]
     RigidTriangles,
     /// Absorbing boundaries hold nothing at rest.
-    #[error("it has absorbing boundaries (code 4), which resist velocities and hold nothing at rest")]
+    #[error(
+        "it has absorbing boundaries (code 4), which resist velocities and hold nothing at rest"
+    )]
     AbsorbingBoundaries,
     /// Softening triangles that detach leave holes in the course of settling.
-    #[error("it has softening triangles that break away (type 4 with I1PEFR), which settling does not follow")]
+    #[error(
+        "it has softening triangles that break away (type 4 with I1PEFR), which settling does not follow"
+    )]
     BreakingTriangles,
     /// Excavated triangles are moved out of the way in every step.
     #[error("it has excavated triangles (I1PEXC), which are moved out of the way in every step")]
@@ -22,7 +26,9 @@ pub enum Unsettleable {
     #[error("no node is held, so that nothing stops what gravity pulls")]
     NothingHeld,
     /// Nothing acts.
-    #[error("no load acts at its first instant: no gravity, force, acceleration, pressure, traction or stress in situ")]
+    #[error(
+        "no load acts at its first instant: no gravity, force, acceleration, pressure, traction or stress in situ"
+    )]
     NoLoad,
     /// Something moves from the start.
     #[error("node {node} has an initial velocity, which settling would take away")]

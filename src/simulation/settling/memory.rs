@@ -20,7 +20,10 @@ impl Simulation {
         }
         for (emission, before) in self.classic.emissions.iter_mut().zip(&start.classic.emissions) {
             let is_broken = emission.stage == EmissionStage::Broken;
-            *emission = Emission { stage: if is_broken { emission.stage } else { before.stage }, ..*before };
+            *emission = Emission {
+                stage: if is_broken { emission.stage } else { before.stage },
+                ..*before
+            };
         }
         self.rebuild();
     }

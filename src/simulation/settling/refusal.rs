@@ -1,10 +1,6 @@
 //! Scenes that settling would make nonsense of.
 
-use super::{
-    super::Simulation,
-    SettlingFault, SettlingOptions, Unsettleable,
-    free_nodes::holds,
-};
+use super::{super::Simulation, SettlingFault, SettlingOptions, Unsettleable, free_nodes::holds};
 use crate::scene::{Condition, ElementKind, Scene};
 
 /// Finds out whether settling makes sense.
@@ -61,8 +57,8 @@ fn check_materials(scene: &Scene) -> Result<(), Unsettleable> {
 /// A velocity that a node set prescribes is held at zero; any other would be lost.
 fn check_velocities(scene: &Scene) -> Result<(), Unsettleable> {
     for (node, velocity) in scene.nodes.velocity.iter().enumerate() {
-        let prescribed = set_of(scene, node)
-            .is_some_and(|set| set.conditions == [Condition::Velocity; 2]);
+        let prescribed =
+            set_of(scene, node).is_some_and(|set| set.conditions == [Condition::Velocity; 2]);
         if !prescribed && (velocity.x != 0.0 || velocity.y != 0.0) {
             return Err(Unsettleable::Moving { node });
         }

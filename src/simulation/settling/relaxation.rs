@@ -3,7 +3,7 @@
 use super::{
     super::{Simulation, plan::Plan},
     SettlingFault, SettlingOptions, SettlingProgress, Unsettleable,
-    damping::Damping,
+    damping::FrequencyEstimate,
     free_nodes::FreeNodes,
     loads::DistributedLoads,
     masses::NodalStiffness,
@@ -12,8 +12,12 @@ use crate::mechanics::Vec2;
 
 /// Loads rise by this share of themselves in an iteration at most.
 const LOAD_STEP: f64 = 1.0 / 400.0;
-/// They rise only while the forces are out of balance by less than this share of all loads.
-const GENTLE: f64 = 0.02;
+/// They rise only while the forces are out of balance by less than this share of all loads: what
+/// friction and damage remember differs from the slowest path in proportion to it.
+const GENTLE: f64 = 0.04;
+/// Share of critical damping while loads rise: what rises at a steady rate lags behind in
+/// proportion to the damping.
+const RISING_DAMPING: f64 = 0.3;
 /// Forces out of balance by so many times the loads are those of an unstable motion.
 const UNSTABLE: f64 = 1e4;
 
@@ -41,8 +45,12 @@ pub(super) struct Relaxation {
     /// Sum of the sizes of all loads, N.
     total_load: f64,
     distributed: DistributedLoads,
+    /// Nodal forces of the distributed loads in full, N; empty where there are none.
+    of_distributed: Vec<Vec2>,
     viscosities: Vec<f64>,
-    damping: Damping,
+    frequency: FrequencyEstimate,
+    /// The internal forces without the distributed loads among them, N.
+    resisting: Vec<Vec2>,
     /// Forces that elements and contacts exert on the free nodes, along their free axes, N.
     internal: Vec<Vec2>,
     dt: f64,
@@ -75,8 +83,10 @@ impl Relaxation {
             masses: Vec::new(),
             stiffness: NodalStiffness::of(simulation, weight),
             distributed,
+            of_distributed: Vec::new(),
             viscosities,
-            damping: Damping::default(),
+            frequency: FrequencyEstimate::default(),
+            resisting: Vec::new(),
             internal: Vec::new(),
             dt,
             free,
@@ -101,8 +111,10 @@ impl Relaxation {
         self.distributed.set_share(simulation, 0.0);
         simulation.evaluate_forces();
         self.collect_internal(simulation);
-        for ((load, with), without) in self.loads.iter_mut().zip(with).zip(&self.internal) {
-            *load += with - without;
+        let differ = with.iter().zip(&self.internal).map(|(with, without)| with - without);
+        self.of_distributed = differ.collect();
+        for (load, distributed) in self.loads.iter_mut().zip(&self.of_distributed) {
+            *load += distributed;
         }
     }
 
@@ -153,10 +165,11 @@ impl Relaxation {
             if !goes_on(&SettlingProgress { iterations, load, ratio }) {
                 return Course::Stopped;
             }
+            let damping = self.damping(simulation, load);
             if load < 1.0 && imbalance.mean < GENTLE {
                 load = (load + LOAD_STEP).min(1.0);
             }
-            self.move_nodes(simulation, load);
+            self.move_nodes(simulation, load, damping);
             if self.stiffness.update(simulation) {
                 self.weigh();
             }
@@ -202,12 +215,27 @@ impl Relaxation {
         self.internal[k] + self.free.load(&self.free.list[k]) * load
     }
 
-    /// Central differences with damping; positions move by the velocities times the time step of
-    /// the deck, so that sliding and travel of the contacts are those of the positions.
-    fn move_nodes(&mut self, simulation: &mut Simulation, load: f64) {
-        let dt = self.dt;
+    /// Damping coefficient, 1/s, after an evaluation with this share of the loads.
+    fn damping(&mut self, simulation: &Simulation, load: f64) -> f64 {
+        self.resisting.clone_from(&self.internal);
+        for (resisting, distributed) in self.resisting.iter_mut().zip(&self.of_distributed) {
+            *resisting -= distributed * load;
+        }
         let velocities = &simulation.scene.nodes.velocity;
-        let c = self.damping.coefficient(&self.free, velocities, &self.masses, &self.internal, dt);
+        let critical = self.frequency.critical_damping(
+            &self.free,
+            velocities,
+            &self.masses,
+            &self.resisting,
+            self.dt,
+        );
+        if load < 1.0 { RISING_DAMPING * critical } else { critical }
+    }
+
+    /// Central differences with damping c; positions move by the velocities times the time step
+    /// of the deck, so that sliding and travel of the contacts are those of the positions.
+    fn move_nodes(&mut self, simulation: &mut Simulation, load: f64, c: f64) {
+        let dt = self.dt;
         let (keep, push) = ((2.0 - c * dt) / (2.0 + c * dt), 2.0 * dt / (2.0 + c * dt));
         for k in 0..self.internal.len() {
             let residual = self.residual(k, load);
