@@ -114,9 +114,9 @@ pub fn run_with(
     observer: &mut dyn Observer,
 ) -> Result<RunSummary, RunError> {
     let names = OutputNames::new(&options.deck, &options.folder);
+    settle::check_start(options, checkpoints.resume.is_some(), loaded.simulation.as_ref())?;
     std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
     check_names(&names, &checkpoints)?;
-    settle::check_start(options, checkpoints.resume.is_some())?;
     observer.findings(&loaded.findings, loaded.deck.sources());
     let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
     let (resumed_at, mut here, mut writers, log) = match &checkpoints.resume {
@@ -257,6 +257,8 @@ impl Session<'_> {
                     if self.here.settling.is_none() {
                         return Ok(StopReason::Interrupted);
                     }
+                    // the speed of a run is that of its steps
+                    self.started = Instant::now();
                 }
                 let end = self.run_stage(&mut simulation)?;
                 let is_last = index + 1 == stages.len();

@@ -53,10 +53,16 @@ pub(super) fn settle(
     Ok(Some(summary))
 }
 
-/// A run that goes on from a checkpoint has had its first step.
-pub(super) fn check_start(options: &RunOptions, is_resumed: bool) -> Result<(), SettlingFault> {
-    if is_resumed && options.settling.is_some() {
-        return Err(Unsettleable::Resumed.into());
+/// Whether settling makes sense, before any file is touched. A run that goes on from a checkpoint
+/// has had its first step.
+pub(super) fn check_start(
+    options: &RunOptions,
+    is_resumed: bool,
+    simulation: Option<&Simulation>,
+) -> Result<(), SettlingFault> {
+    match (options.settling, simulation) {
+        (Some(_), _) if is_resumed => Err(Unsettleable::Resumed.into()),
+        (Some(settling), Some(simulation)) => simulation.check_settling(settling),
+        _ => Ok(()),
     }
-    Ok(())
 }

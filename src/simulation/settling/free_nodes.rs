@@ -13,6 +13,15 @@ pub(super) fn holds(condition: Condition) -> bool {
     matches!(condition, Condition::Velocity | Condition::Frozen)
 }
 
+/// Factor on the amplitudes of a node set at the present instant.
+pub(super) fn load_factor(simulation: &Simulation, set: usize) -> f64 {
+    let (scene, time) = (&simulation.scene, simulation.time);
+    match scene.load_history.as_ref().filter(|h| h.is_active()) {
+        Some(history) => history.factor(set, time),
+        None => scene.ramp.map_or(1.0, |ramp| ramp.factor(time)),
+    }
+}
+
 /// What a node set does to the forces on its nodes.
 #[derive(Debug, Clone)]
 struct Constraint {
@@ -45,10 +54,8 @@ impl FreeNodes {
     /// The nodes of a simulation whose masses are known: after the first evaluation of forces.
     pub fn of(simulation: &Simulation) -> Self {
         let scene = &simulation.scene;
-        let ramp = scene.ramp.map_or(1.0, |ramp| ramp.factor(simulation.time));
-        let history = scene.load_history.as_ref().filter(|h| h.is_active());
         let constraints = scene.node_sets.iter().enumerate().map(|(index, set)| {
-            let factor = history.map_or(ramp, |h| h.factor(index, simulation.time));
+            let factor = load_factor(simulation, index);
             let along = |kind: Condition| {
                 let amplitude = |k: usize| match set.conditions[k] == kind {
                     true => set.amplitudes[k] * factor,

@@ -96,7 +96,7 @@ impl Simulation {
         options: SettlingOptions,
         goes_on: &mut dyn FnMut(&SettlingProgress) -> bool,
     ) -> Result<SettlingOutcome, SettlingFault> {
-        refusal::check(self, options)?;
+        self.check_settling(options)?;
         let start = self.state();
         let failed_before = self.failures.len();
         let (mut done, mut weight) = (0, 1.0);

@@ -1,36 +1,68 @@
 //! Scenes that settling would make nonsense of.
 
-use super::{super::Simulation, SettlingFault, SettlingOptions, Unsettleable, free_nodes::holds};
-use crate::scene::{Condition, ElementKind, Scene};
+use super::{
+    super::Simulation,
+    SettlingFault, SettlingOptions, Unsettleable,
+    free_nodes::{holds, load_factor},
+    loads::DistributedLoads,
+};
+use crate::scene::{Condition, ElementKind, NodeSet, Scene};
 
-/// Finds out whether settling makes sense.
-pub(super) fn check(
-    simulation: &Simulation,
-    options: SettlingOptions,
-) -> Result<(), SettlingFault> {
-    if !(options.tolerance > 0.0 && options.tolerance.is_finite()) {
-        return Err(SettlingFault::Tolerance(options.tolerance));
+impl Simulation {
+    /// Whether settling makes sense, as far as the scene tells without computing anything.
+    ///
+    /// # Errors
+    /// If it does not, or the tolerance is no number above 0.
+    pub fn check_settling(&self, options: SettlingOptions) -> Result<(), SettlingFault> {
+        if !(options.tolerance > 0.0 && options.tolerance.is_finite()) {
+            return Err(SettlingFault::Tolerance(options.tolerance));
+        }
+        check_materials(&self.scene)?;
+        check_nodes(&self.scene)?;
+        let loads_act = self.scene.control.gravity != 0.0
+            || DistributedLoads::of(&self.scene).act()
+            || self.nodal_loads_act();
+        if loads_act { Ok(()) } else { Err(Unsettleable::NoLoad.into()) }
     }
-    let scene = &simulation.scene;
-    check_materials(scene)?;
-    let absorbs = |node: &usize| {
-        set_of(scene, *node).is_some_and(|s| s.conditions.contains(&Condition::Absorbing))
-    };
-    if (0..scene.nodes.len()).any(|node| absorbs(&node)) {
-        return Err(Unsettleable::AbsorbingBoundaries.into());
+
+    fn nodal_loads_act(&self) -> bool {
+        let loaded = |(index, set): (usize, &NodeSet<2>)| {
+            let factor = load_factor(self, index);
+            let along = |k: usize| !holds(set.conditions[k]) && set.amplitudes[k] * factor != 0.0;
+            along(0) || along(1)
+        };
+        self.scene.node_sets.iter().enumerate().any(loaded)
     }
-    check_velocities(scene)?;
-    let held = (0..scene.nodes.len()).any(|node| match set_of(scene, node) {
-        Some(set) => !set.moves || set.conditions.into_iter().any(holds),
-        None => true,
-    });
+}
+
+fn check_nodes(scene: &Scene) -> Result<(), Unsettleable> {
+    let (mut free, mut held) = (false, false);
+    for node in 0..scene.nodes.len() {
+        let conditions = set_of(scene, node)
+            .filter(|set| set.moves)
+            .map_or([Condition::Frozen; 2], |set| set.conditions);
+        if conditions.contains(&Condition::Absorbing) {
+            return Err(Unsettleable::AbsorbingBoundaries);
+        }
+        free |= !conditions.into_iter().all(holds);
+        held |= conditions.into_iter().any(holds);
+        // a velocity that a node set prescribes is held at zero; any other would be lost
+        let velocity = scene.nodes.velocity[node];
+        let prescribed = conditions == [Condition::Velocity; 2];
+        if !prescribed && (velocity.x != 0.0 || velocity.y != 0.0) {
+            return Err(Unsettleable::Moving { node });
+        }
+    }
+    if !free {
+        return Err(Unsettleable::NoFreeNode);
+    }
     if scene.control.gravity != 0.0 && !held {
-        return Err(Unsettleable::NothingHeld.into());
+        return Err(Unsettleable::NothingHeld);
     }
     Ok(())
 }
 
-fn set_of(scene: &Scene, node: usize) -> Option<&crate::scene::NodeSet<2>> {
+fn set_of(scene: &Scene, node: usize) -> Option<&NodeSet<2>> {
     usize::try_from(scene.nodes.set[node]).ok().and_then(|set| scene.node_sets.get(set))
 }
 
@@ -49,18 +81,6 @@ fn check_materials(scene: &Scene) -> Result<(), Unsettleable> {
             }
             _ if material.is_excavated => return Err(Unsettleable::Excavation),
             _ => {}
-        }
-    }
-    Ok(())
-}
-
-/// A velocity that a node set prescribes is held at zero; any other would be lost.
-fn check_velocities(scene: &Scene) -> Result<(), Unsettleable> {
-    for (node, velocity) in scene.nodes.velocity.iter().enumerate() {
-        let prescribed =
-            set_of(scene, node).is_some_and(|set| set.conditions == [Condition::Velocity; 2]);
-        if !prescribed && (velocity.x != 0.0 || velocity.y != 0.0) {
-            return Err(Unsettleable::Moving { node });
         }
     }
     Ok(())
