@@ -117,7 +117,7 @@ impl Simulation {
                 Course::Unstable { iterations } => {
                     done = iterations;
                     weight *= HEAVIER;
-                    self.restart_settling(&start);
+                    self.restart_settling(&start)?;
                 }
             }
         }
@@ -125,10 +125,10 @@ impl Simulation {
     }
 
     /// Goes back to where settling began.
-    fn restart_settling(&mut self, start: &SimulationState) {
-        if let Err(fault) = self.restore(start.clone()) {
-            unreachable!("a simulation takes its own state: {fault}");
-        }
+    fn restart_settling(&mut self, start: &SimulationState) -> Result<(), SettlingFault> {
+        // it is this scene's own state; were it refused, masses would not be what is wrong
+        self.restore(start.clone()).map_err(|_| SettlingFault::Unstable)?;
         self.rebuild();
+        Ok(())
     }
 }
