@@ -1,3 +1,4 @@
+use super::settle::SettlingSummary;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -42,6 +43,8 @@ pub struct RunSummary {
     pub couples_evaluated: u64,
     /// Couples that were at rest and needed no evaluation.
     pub couples_rested: u64,
+    /// What settling did before the first step, if the run was asked to settle.
+    pub settling: Option<SettlingSummary>,
     /// Step of the checkpoint that the run went on from.
     pub resumed_at: Option<u64>,
     /// Warnings about the deck.

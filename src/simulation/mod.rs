@@ -19,6 +19,7 @@ mod joint_records;
 mod motion;
 mod plan;
 mod probe_values;
+mod settling;
 mod state;
 mod state_check;
 mod view;
@@ -38,6 +39,9 @@ use rayon::prelude::*;
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
+pub use settling::{
+    Settled, SettlingFault, SettlingOptions, SettlingOutcome, SettlingProgress, Unsettleable,
+};
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
