@@ -14,6 +14,7 @@ mod fracture_lines;
 mod joint_forces;
 mod joint_records;
 mod motion;
+mod phases;
 mod plan;
 mod probe_values;
 mod state;
@@ -29,11 +30,13 @@ use crate::{
 use element_forces::TriangleResponse;
 use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
+use phases::{Phase, PhaseClock};
 use plan::{ForcePhase, Plan};
 
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
+pub use phases::PhaseTimes;
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
@@ -93,6 +96,7 @@ pub struct Simulation {
     evaluated_joints: Vec<EvaluatedJoint>,
     insertion_report: Option<InsertionReport>,
     failures: Vec<JointFailure>,
+    clock: PhaseClock,
 }
 
 impl Simulation {
@@ -132,6 +136,7 @@ impl Simulation {
             evaluated_joints: Vec::new(),
             insertion_report: None,
             failures: Vec::new(),
+            clock: PhaseClock::default(),
         }
     }
 
@@ -215,7 +220,9 @@ impl Simulation {
     /// First half of a step: internal forces, joints, contact detection and
     /// contact forces.
     pub fn evaluate_forces(&mut self) {
+        self.clock.start();
         self.clear_forces();
+        self.clock.lap(Phase::Integration);
         for phase in 0..self.plan.forces.len() {
             match self.plan.forces[phase] {
                 ForcePhase::Triangles(batch) => self.add_triangle_forces(batch),
@@ -225,9 +232,12 @@ impl Simulation {
                     self.edge_factors[set] += self.scene.node_sets[set].edge_factor_step;
                 }
             }
+            self.clock.lap((&self.plan.forces[phase]).into());
         }
         self.record_element_probes();
+        self.clock.start();
         self.add_contact_forces();
+        self.clock.lap(Phase::Overlap);
         self.record_nodal_forces();
     }
 
@@ -239,13 +249,17 @@ impl Simulation {
 
     /// New velocities and positions, and the kinetic energy that they have.
     pub fn move_bodies(&mut self) {
+        self.clock.start();
         self.integrate();
+        self.clock.lap(Phase::Integration);
         self.update_kinetic_energy();
     }
 
     /// What follows the motion: fracture of softening triangles, time.
     pub fn complete_step(&mut self) {
+        self.clock.start();
         self.fracture_triangles();
+        self.clock.lap(Phase::Integration);
         self.time += self.scene.control.time_step;
         self.step += 1;
     }

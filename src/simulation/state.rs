@@ -90,6 +90,7 @@ impl Simulation {
             evaluated_joints: _,
             insertion_report,
             failures,
+            clock: _,
         } = self;
         SimulationState {
             step: *step,
