@@ -17,10 +17,8 @@ pub const END: &str = "<!-- ypsilon bench: end -->";
 pub fn write(report: &Report, path: &Path) -> Result<(), BenchError> {
     let tables = tables(report);
     let document = match std::fs::read_to_string(path) {
-        Ok(old) => replaced(&old, &tables).map_err(|message| BenchError::Markers {
-            path: path.to_path_buf(),
-            message,
-        })?,
+        Ok(old) => replaced(&old, &tables)
+            .map_err(|message| BenchError::Markers { path: path.to_path_buf(), message })?,
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
             format!("# Benchmarks\n\n{BEGIN}\n{tables}{END}\n")
         }
@@ -88,7 +86,11 @@ fn speed(scenes: &[SceneReport]) -> String {
         .to_owned();
     for scene in scenes {
         for (index, run) in scene.runs.iter().enumerate() {
-            let name = if index == 0 { format!("`{}`: {}", scene.name, scene.about) } else { String::new() };
+            let name = if index == 0 {
+                format!("`{}`: {}", scene.name, scene.about)
+            } else {
+                String::new()
+            };
             let size = |value: u64| if index == 0 { value.to_string() } else { String::new() };
             let counted = scene.instructions_per_triangle_step.filter(|_| index == 0);
             let _ = writeln!(
@@ -124,8 +126,14 @@ fn phases(scenes: &[SceneReport]) -> String {
     for scene in scenes {
         for run in &scene.runs {
             let p = &run.phases;
-            let parts =
-                [p.triangles, p.joints, p.detection, p.overlap, p.integration, run.output_seconds()];
+            let parts = [
+                p.triangles,
+                p.joints,
+                p.detection,
+                p.overlap,
+                p.integration,
+                run.output_seconds(),
+            ];
             let cells = parts.map(|seconds| phase(seconds, run, scene)).join(" | ");
             let _ = writeln!(
                 text,
@@ -193,7 +201,10 @@ mod tests {
     fn tables_have_a_row_for_each_run() {
         let text = tables(&example());
         assert!(text.contains("| 5000 | 7400 | 1000 | 1 | 2.00 (1.80 to 2.20) | 1.90"), "{text}");
-        assert!(text.contains("| 2 | 3.00 (2.70 to 3.30) | 2.85 (2.56 to 3.13) | 1.50 |"), "{text}");
+        assert!(
+            text.contains("| 2 | 3.00 (2.70 to 3.30) | 2.85 (2.56 to 3.13) | 1.50 |"),
+            "{text}"
+        );
         assert!(text.contains("| `jointed` | 1 | 20.0 (10 %) | 40.0 (20 %) |"), "{text}");
         assert!(text.contains("p = 1.010, peak memory with p = –"), "{text}");
         // every row of a table has as many cells as its heading

@@ -234,9 +234,8 @@ impl Suite<'_> {
                 runs.filter_map(|(size, run)| Some([size.triangles as f64, of(size, run)?]))
                     .collect()
             };
-            let time = |size: &SceneReport, run: &Run| {
-                Some(size.triangles as f64 / run.step_loop.median)
-            };
+            let time =
+                |size: &SceneReport, run: &Run| Some(size.triangles as f64 / run.step_loop.median);
             let memory = |_: &SceneReport, run: &Run| Some(run.peak_memory? as f64);
             Growth {
                 name: scene.name.to_owned(),
@@ -327,12 +326,8 @@ mod tests {
 
     #[test]
     fn measurements_become_figures() {
-        let job = Job {
-            name: "x".to_owned(),
-            about: "y".to_owned(),
-            deck: PathBuf::new(),
-            steps: None,
-        };
+        let job =
+            Job { name: "x".to_owned(), about: "y".to_owned(), deck: PathBuf::new(), steps: None };
         let taken = |seconds: [f64; 3]| Taken {
             runs: seconds.map(|s| (measurement(s, 1_000_000), 2.0 * s)).to_vec(),
             timed: Some(measurement(seconds[0], 9_000_000)),

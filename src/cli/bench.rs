@@ -72,7 +72,12 @@ pub(super) struct BenchArguments {
     #[arg(long, conflicts_with_all = ["scenes", "decks", "steps", "json", "markdown", "growth", "instructions"])]
     work_precision: bool,
     /// Problem of --work-precision, repeatable [default: all]
-    #[arg(long = "problem", value_name = "NAME", value_delimiter = ',', requires = "work_precision")]
+    #[arg(
+        long = "problem",
+        value_name = "NAME",
+        value_delimiter = ',',
+        requires = "work_precision"
+    )]
     problems: Vec<String>,
     /// Folder of the results of --work-precision
     #[arg(long = "out", value_name = "DIR", default_value = "work-precision")]
@@ -152,21 +157,21 @@ fn list() {
 /// Scenes and decks that the command line names.
 fn subjects(arguments: &BenchArguments) -> Result<Vec<Subject>, BenchError> {
     let found = found_decks(Path::new("."));
-    let deck = |(name, path): &(String, PathBuf)| Subject::Deck {
-        name: name.clone(),
-        path: path.clone(),
-    };
+    let deck =
+        |(name, path): &(String, PathBuf)| Subject::Deck { name: name.clone(), path: path.clone() };
     let mut subjects = Vec::new();
     for name in &arguments.scenes {
         let own = Scene::find(name).map(Subject::Scene);
         let known = own.or_else(|| found.iter().find(|(n, _)| n == name).map(deck));
-        subjects.push(known.ok_or_else(|| BenchError::NoScene {
-            name: name.clone(),
-            known: SCENES
-                .iter()
-                .map(|scene| scene.name.to_owned())
-                .chain(found.iter().map(|(name, _)| name.clone()))
-                .collect(),
+        subjects.push(known.ok_or_else(|| {
+            BenchError::NoScene {
+                name: name.clone(),
+                known: SCENES
+                    .iter()
+                    .map(|scene| scene.name.to_owned())
+                    .chain(found.iter().map(|(name, _)| name.clone()))
+                    .collect(),
+            }
         })?);
     }
     subjects.extend(arguments.decks.iter().map(|path| Subject::Deck {

@@ -83,7 +83,8 @@ impl Simulation {
     /// Time of each phase since [`Self::watch_phases`]; `None` without it.
     #[must_use]
     pub fn phase_times(&self) -> Option<PhaseTimes> {
-        let seconds = |phase: Phase| Some(self.clock.0.as_ref()?.times[phase as usize].as_secs_f64());
+        let seconds =
+            |phase: Phase| Some(self.clock.0.as_ref()?.times[phase as usize].as_secs_f64());
         Some(PhaseTimes {
             triangles: seconds(Phase::Triangles)?,
             joints: seconds(Phase::Joints)?,

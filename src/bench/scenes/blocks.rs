@@ -16,8 +16,7 @@ pub(super) fn running_bond(triangles: usize) -> PlaneDeck {
         let (y0, y1) = (row as f64 * height, (row + 1) as f64 * height);
         let offset = 0.5 * width * (row % 2) as f64;
         for column in 0..columns {
-            let (x0, x1) =
-                (column as f64 * width + offset, (column + 1) as f64 * width + offset);
+            let (x0, x1) = (column as f64 * width + offset, (column + 1) as f64 * width + offset);
             let corners = [[x0, y0], [x1, y0], [x1, y1], [x0, y1]];
             let corners = corners.map(|place| deck.node(place, row == 0 && place[1] == y0));
             let middle = deck.node([0.5 * (x0 + x1), 0.5 * (y0 + y1)], false);

@@ -6,12 +6,8 @@ use super::plane_deck::{Joints, PlaneDeck};
 const CELL: f64 = 0.05;
 
 /// Joints of the speed scenes of the original.
-const STRONG: Joints = Joints {
-    tensile_pa: 3e6,
-    shear_pa: 5e6,
-    fracture_energy_n_m: 50.0,
-    penalty_pa: 2e11,
-};
+const STRONG: Joints =
+    Joints { tensile_pa: 3e6, shear_pa: 5e6, fracture_energy_n_m: 50.0, penalty_pa: 2e11 };
 
 /// Joints that break when triangles move a little against each other.
 const WEAK: Joints =

@@ -1,0 +1,49 @@
+use crate::{
+    bench::work_precision::{Parameter, Problem, Run},
+    meshing::{Material, Scenario, kinds::TwoBlocks},
+};
+
+/// Two blocks that collide without friction and viscosity: the energy after the impact, kinetic
+/// and of strain, is that before it, whatever mesh and penalty.
+#[derive(Debug)]
+pub struct Impact;
+
+impl Problem for Impact {
+    fn name(&self) -> &'static str {
+        "impact"
+    }
+
+    fn title(&self) -> &'static str {
+        "Impact of two blocks"
+    }
+
+    fn error_is(&self) -> &'static str {
+        "energy when the blocks have parted against that before the impact"
+    }
+
+    fn sweeps(&self) -> Vec<(Parameter, &'static [f64])> {
+        vec![
+            (Parameter::TimeStep, Parameter::TimeStep.values()),
+            (Parameter::Penalty, Parameter::Penalty.values()),
+            (Parameter::Buffer, Parameter::Buffer.values()),
+            (Parameter::Mesh, Parameter::Mesh.values()),
+        ]
+    }
+
+    fn scenario(&self, refinement: usize) -> Scenario {
+        let blocks = TwoBlocks { cells: refinement, ..TwoBlocks::default() };
+        Scenario { two_blocks: Some(blocks), ..Scenario::default() }
+    }
+
+    fn material<'a>(&self, scenario: &'a mut Scenario) -> Option<&'a mut Material> {
+        scenario.two_blocks.as_mut().map(|blocks| &mut blocks.material)
+    }
+
+    fn error(&self, run: &mut Run<'_>) -> f64 {
+        let before = run.simulation.sum_kinetic_energy();
+        run.finish();
+        let simulation = &run.simulation;
+        let strain: f64 = simulation.triangles().filter_map(|e| simulation.strain_energy(e)).sum();
+        ((simulation.sum_kinetic_energy() + strain) / before - 1.0).abs()
+    }
+}

@@ -1,0 +1,87 @@
+//! Sweeps of one parameter of a problem, the others being as the generator makes them.
+
+use super::{
+    problem::{Problem, Solution, solve},
+    settings::{Parameter, Settings},
+};
+use crate::bench::{BenchError, median};
+
+/// One solution of a sweep.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// The solution; its time is the median of repeated runs.
+    pub solution: Solution,
+    /// Whether the parameter is what the generator chooses.
+    pub is_default: bool,
+}
+
+/// A parameter varied.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Sweep {
+    /// What is varied.
+    pub parameter: Parameter,
+    /// Solutions, values ascending.
+    pub points: Vec<Point>,
+}
+
+/// A problem with all its sweeps.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    /// Name in file names.
+    pub name: &'static str,
+    /// What it is.
+    pub title: &'static str,
+    /// What its error is.
+    pub error_is: &'static str,
+    /// The sweeps.
+    pub sweeps: Vec<Sweep>,
+}
+
+/// Solves a problem for all values of all its parameters, each `repeats` times for its run time.
+///
+/// # Errors
+/// If a deck cannot be made.
+pub fn study(
+    problem: &dyn Problem,
+    repeats: usize,
+    say: &mut dyn FnMut(&str),
+) -> Result<Study, BenchError> {
+    let own = timed(problem, Settings::default(), repeats)?;
+    let mut sweeps = Vec::new();
+    for (parameter, values) in problem.sweeps() {
+        say(&format!("{}: {}", problem.title(), parameter.label()));
+        let chosen = parameter.of_generators().unwrap_or(own.value(parameter));
+        let mut points = Vec::new();
+        for &value in values {
+            if (value / chosen - 1.0).abs() > 1e-9 {
+                let solution = timed(problem, Settings::default().with(parameter, value), repeats)?;
+                points.push(Point { solution, is_default: false });
+            }
+        }
+        let is_own = (own.value(parameter) / chosen - 1.0).abs() < 1e-9;
+        let solution = match is_own {
+            true => own,
+            false => timed(problem, Settings::default().with(parameter, chosen), repeats)?,
+        };
+        points.push(Point { solution, is_default: true });
+        let value = |point: &Point| point.solution.value(parameter);
+        points.sort_by(|a, b| value(a).total_cmp(&value(b)));
+        sweeps.push(Sweep { parameter, points });
+    }
+    Ok(Study { name: problem.name(), title: problem.title(), error_is: problem.error_is(), sweeps })
+}
+
+/// A solution with the median time of several runs, which agree in all else.
+fn timed(
+    problem: &dyn Problem,
+    settings: Settings,
+    repeats: usize,
+) -> Result<Solution, BenchError> {
+    let first = solve(problem, settings)?;
+    let mut seconds = vec![first.seconds];
+    // long runs are their own mean
+    while seconds.len() < repeats && seconds.iter().sum::<f64>() < 2.0 {
+        seconds.push(solve(problem, settings)?.seconds);
+    }
+    Ok(Solution { seconds: median(&seconds).unwrap_or(first.seconds), ..first })
+}
