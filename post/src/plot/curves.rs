@@ -201,7 +201,12 @@ fn curve_shapes(
         .collect();
     let mut shapes = Vec::new();
     if markers {
-        let rings = curve.points.iter().filter(|p| is_shown(p)).map(|p| diamond(axes.pixel(*p)));
+        let parts = curve.points.split(|p| !is_shown(p));
+        // points that no line leads to stand out
+        let rings = parts.flat_map(|part| {
+            let size = if part.len() == 1 { 6.0 } else { 3.5 };
+            part.iter().map(move |p| diamond(axes.pixel(*p), size))
+        });
         shapes.push(Shape::Polygons { rings: rings.collect(), colour, seam: 0.0 });
     }
     shapes.push(Shape::Lines { lines, colour, width: 1.7, dash });
@@ -215,8 +220,8 @@ fn near(axes: &Axes, [x, y]: [f64; 2]) -> [f64; 2] {
     [x.clamp(a[0] - far, b[0] + far), y.clamp(a[1] - far, b[1] + far)]
 }
 
-fn diamond([x, y]: [f64; 2]) -> Vec<[f64; 2]> {
-    vec![[x - 3.5, y], [x, y - 3.5], [x + 3.5, y], [x, y + 3.5]]
+fn diamond([x, y]: [f64; 2], size: f64) -> Vec<[f64; 2]> {
+    vec![[x - size, y], [x, y - size], [x + size, y], [x, y + size]]
 }
 
 /// Names of the curves in the corner where fewest points lie.

@@ -76,21 +76,8 @@ fn over(
     draw("", [parameter.label(), label], &curves)
 }
 
-/// Large crosses around points that are apart.
+/// Points that are apart: they are drawn larger than those of lines.
 fn marked(points: Vec<[f64; 2]>) -> Curve {
-    // in a logarithmic picture a cross is made of factors
-    let (narrow, wide) = (1.0 / 1.12, 1.12);
-    let cross = |[x, y]: [f64; 2]| {
-        [
-            [x * narrow, y * narrow],
-            [x * wide, y * wide],
-            GAP,
-            [x * narrow, y * wide],
-            [x * wide, y * narrow],
-            GAP,
-        ]
-    };
-    let points = points.into_iter().filter(|p| !p[0].is_nan()).flat_map(cross).collect();
     Curve { name: DEFAULTS.to_owned(), points }
 }
 

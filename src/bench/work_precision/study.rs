@@ -4,12 +4,12 @@ use super::{
     problem::{Problem, Solution, solve},
     settings::{Parameter, Settings},
 };
-use crate::bench::{BenchError, median};
+use crate::bench::BenchError;
 
 /// One solution of a sweep.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// The solution; its time is the median of repeated runs.
+    /// The solution; its time is the least of repeated runs.
     pub solution: Solution,
     /// Whether the parameter is what the generator chooses.
     pub is_default: bool,
@@ -71,17 +71,26 @@ pub fn study(
     Ok(Study { name: problem.name(), title: problem.title(), error_is: problem.error_is(), sweeps })
 }
 
-/// A solution with the median time of several runs, which agree in all else.
+/// Runs that take longer together are not repeated, s.
+const LONG: f64 = 1.0;
+/// Runs are repeated until they take so long together, s.
+const SHORT: f64 = 0.02;
+/// But so many times as often as asked for at most.
+const MOST_REPEATS: usize = 10;
+
+/// A solution with the least time of several runs, which agree in all else: others have been
+/// interrupted by what the machine does besides.
 fn timed(
     problem: &dyn Problem,
     settings: Settings,
     repeats: usize,
 ) -> Result<Solution, BenchError> {
     let first = solve(problem, settings)?;
-    let mut seconds = vec![first.seconds];
-    // long runs are their own mean
-    while seconds.len() < repeats && seconds.iter().sum::<f64>() < 2.0 {
-        seconds.push(solve(problem, settings)?.seconds);
+    let (mut least, mut sum, mut runs) = (first.seconds, first.seconds, 1);
+    // a run of a millisecond says little, one of seconds is its own mean
+    while (runs < repeats && sum < LONG) || (sum < SHORT && runs < repeats * MOST_REPEATS) {
+        let again = solve(problem, settings)?.seconds;
+        (least, sum, runs) = (least.min(again), sum + again, runs + 1);
     }
-    Ok(Solution { seconds: median(&seconds).unwrap_or(first.seconds), ..first })
+    Ok(Solution { seconds: least, ..first })
 }

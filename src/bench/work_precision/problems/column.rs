@@ -8,8 +8,8 @@ use crate::{
 #[derive(Debug)]
 pub struct SelfWeight;
 
-/// Time that the blocks have, s: eight periods of the column's longest wave.
-const TIME: f64 = 0.01;
+/// Time that the blocks have, s: 24 periods of the column's longest wave.
+const TIME: f64 = 0.03;
 
 fn column(refinement: usize) -> Column {
     let own = Column::default();
@@ -27,11 +27,14 @@ impl Problem for SelfWeight {
     }
 
     fn error_is(&self) -> &'static str {
-        "settlement of the top after 0.01 s against ρ g H²/(2 E)"
+        "settlement of the top after 0.03 s against ρ g H²/(2 E)"
     }
 
     fn sweeps(&self) -> Vec<(Parameter, &'static [f64])> {
-        Parameter::ALL.map(|parameter| (parameter, parameter.values())).to_vec()
+        let mut sweeps = Parameter::ALL.map(|p| (p, p.values()));
+        sweeps[Parameter::TimeStep as usize].1 = &[0.1, 0.2, 0.4, 0.6, 0.8, 0.95, 1.05, 1.2, 1.5];
+        sweeps[Parameter::Mesh as usize].1 = &[1.0, 2.0, 4.0];
+        sweeps.to_vec()
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {

@@ -26,12 +26,12 @@ impl Problem for Impact {
             (Parameter::TimeStep, Parameter::TimeStep.values()),
             (Parameter::Penalty, Parameter::Penalty.values()),
             (Parameter::Buffer, Parameter::Buffer.values()),
-            (Parameter::Mesh, Parameter::Mesh.values()),
+            (Parameter::Mesh, &[1.0, 2.0, 4.0]),
         ]
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {
-        let blocks = TwoBlocks { cells: refinement, ..TwoBlocks::default() };
+        let blocks = TwoBlocks { cells: 4 * refinement, ..TwoBlocks::default() };
         Scenario { two_blocks: Some(blocks), ..Scenario::default() }
     }
 

@@ -21,11 +21,13 @@ impl Problem for SlidingBlock {
     }
 
     fn sweeps(&self) -> Vec<(Parameter, &'static [f64])> {
-        Parameter::ALL.map(|parameter| (parameter, parameter.values())).to_vec()
+        let mut sweeps = Parameter::ALL.map(|p| (p, p.values()));
+        sweeps[Parameter::Mesh as usize].1 = &[1.0, 2.0, 4.0];
+        sweeps.to_vec()
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {
-        let block = BlockOnPlane { cells: refinement, ..BlockOnPlane::default() };
+        let block = BlockOnPlane { cells: 2 * refinement, ..BlockOnPlane::default() };
         Scenario { block_on_plane: Some(block), ..Scenario::default() }
     }
 

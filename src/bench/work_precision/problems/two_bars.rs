@@ -12,6 +12,8 @@ pub struct TwoBarsContact;
 
 /// The gap, m: strains are of its size, so that Hooke's law holds.
 const GAP: f64 = 1e-5;
+/// Time in which the force grows, s; the longest wave of the bar has a period of 1.3 s.
+const RAMP: f64 = 1.5;
 
 impl Problem for TwoBarsContact {
     fn name(&self) -> &'static str {
@@ -28,10 +30,10 @@ impl Problem for TwoBarsContact {
 
     fn sweeps(&self) -> Vec<(Parameter, &'static [f64])> {
         vec![
-            (Parameter::TimeStep, Parameter::TimeStep.values()),
+            (Parameter::TimeStep, &[0.1, 0.2, 0.4, 0.6, 0.8, 0.95, 1.05, 1.2, 1.5]),
             (Parameter::Penalty, Parameter::Penalty.values()),
             (Parameter::Buffer, Parameter::Buffer.values()),
-            (Parameter::Mesh, &[1.0, 2.0, 4.0]),
+            (Parameter::Mesh, &[1.0, 2.0, 3.0]),
             (Parameter::Viscosity, Parameter::Viscosity.values()),
         ]
     }
@@ -39,8 +41,10 @@ impl Problem for TwoBarsContact {
     fn scenario(&self, refinement: usize) -> Scenario {
         let own = TwoBars::default();
         let force_n = 2.0 * own.material.young_pa * own.height_m * GAP / own.length_m;
-        let bars = TwoBars { gap_m: GAP, force_n, cells: refinement, ..own };
-        Scenario { two_bars: Some(bars), ..Scenario::default() }
+        let bars = TwoBars { gap_m: GAP, force_n, ramp_s: RAMP, cells: refinement, ..own };
+        let mut scenario = Scenario { two_bars: Some(bars), ..Scenario::default() };
+        scenario.run.end_s = Some(4.0 * RAMP);
+        scenario
     }
 
     fn material<'a>(&self, scenario: &'a mut Scenario) -> Option<&'a mut Material> {
