@@ -107,7 +107,14 @@ fn work_precision_writes_tables_and_curves() {
         .map(|row| row.split(',').map(|cell| cell.parse().expect("a number")).collect())
         .collect();
     assert_eq!(rows.iter().filter(|row| row[3] == 1.0).count(), 1, "one default");
-    for file in ["patch.png", "patch.svg", "time-step.png", "time-step-cost.svg", "all.csv"] {
+    for file in [
+        "patch.png",
+        "patch.svg",
+        "time-step.png",
+        "time-step-cost.svg",
+        "all.csv",
+        "recommended.csv",
+    ] {
         assert!(fs::metadata(wp.join(file)).is_ok_and(|meta| meta.len() > 200), "{file}");
     }
 }

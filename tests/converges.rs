@@ -2,7 +2,7 @@
 
 use ypsilon::bench::{
     growth_exponent,
-    work_precision::{PROBLEMS, Parameter, Problem, Settings, Solution, solve},
+    work_precision::{PROBLEMS, Parameter, Problem, Settings, Solution, recommendations, solve},
 };
 
 fn problem(name: &str) -> &'static dyn Problem {
@@ -51,9 +51,18 @@ fn overlap_falls_with_the_penalty() {
 
 #[test]
 fn steps_beyond_the_bound_are_unstable_and_steps_below_are_not() {
-    let at = |share| solved("patch", Settings::default().with(Parameter::TimeStep, share));
-    assert!(at(0.98).error.is_finite());
-    assert!(at(1.1).error.is_nan());
+    let at = |share| solved("self-weight", Settings::default().with(Parameter::TimeStep, share));
+    let (half, near) = (at(0.5).error, at(0.95).error);
+    assert!((near / half - 1.0).abs() < 1e-3, "{half} {near}");
+    assert!(at(1.2).error.is_nan());
+}
+
+#[test]
+fn impacts_keep_their_energy_at_recommended_steps_and_not_at_long_ones() {
+    let at = |share| solved("impact", Settings::default().with(Parameter::TimeStep, share)).error;
+    let recommended = at(recommendations::TIME_STEP_IN_MOTION);
+    assert!(recommended < 2e-3, "{recommended}");
+    assert!(at(0.95) > 0.05);
 }
 
 #[test]

@@ -154,7 +154,12 @@ pub(super) mod tests {
         Report {
             version: "0.1.0".to_owned(),
             date: "2026-01-02".to_owned(),
-            machine: Machine { processor: "P".to_owned(), cores: 2, system: "s".to_owned() },
+            machine: Machine {
+                processor: "P".to_owned(),
+                cores: 2,
+                system: "s".to_owned(),
+                load: None,
+            },
             repeats: 3,
             growth: vec![Growth {
                 name: "jointed".to_owned(),

@@ -54,8 +54,15 @@ pub fn run_suite(
     program: &Program,
     say: &mut dyn FnMut(&str),
 ) -> Result<Report, BenchError> {
+    let machine = Machine::here();
     let folder = TempDir::new().map_err(BenchError::io("a temporary folder"))?;
-    let mut suite = Suite { plan, program, folder: folder.path(), notes: Vec::new(), say };
+    let mut suite = Suite {
+        plan,
+        program,
+        folder: folder.path(),
+        notes: Vec::from_iter(machine.caution()),
+        say,
+    };
     let mut jobs = Vec::new();
     for subject in &plan.subjects {
         jobs.push(suite.job(subject)?);
@@ -73,7 +80,7 @@ pub fn run_suite(
     Ok(Report {
         version: env!("CARGO_PKG_VERSION").to_owned(),
         date: jiff::Zoned::now().strftime("%Y-%m-%d").to_string(),
-        machine: Machine::here(),
+        machine,
         repeats: plan.repeats.max(1),
         scenes,
         growth,

@@ -7,6 +7,7 @@
 mod pictures;
 mod problem;
 mod problems;
+pub mod recommendations;
 mod settings;
 mod study;
 mod tables;
@@ -42,6 +43,17 @@ pub fn run(
         }
     }
     write(&studies, folder)?;
+    for study in &studies {
+        let told = |solution: &Solution| {
+            format!("error {:.2e} in {:.2e} s", solution.error, solution.seconds)
+        };
+        say(&format!(
+            "{}: {} as the generator makes it, {} as recommended",
+            study.title,
+            told(&study.own),
+            told(&study.recommended)
+        ));
+    }
     say(&format!("tables and pictures are in {}", folder.display()));
     Ok(())
 }
@@ -63,8 +75,13 @@ fn write(studies: &[Study], folder: &Path) -> Result<(), BenchError> {
             both(&pictures::cost(studies, parameter)?, folder, &name)?;
         }
     }
-    let path = folder.join("all.csv");
-    std::fs::write(&path, tables::all(studies)).map_err(BenchError::io(&path))
+    for (name, text) in
+        [("all.csv", tables::all(studies)), ("recommended.csv", tables::recommended(studies))]
+    {
+        let path = folder.join(name);
+        std::fs::write(&path, text).map_err(BenchError::io(&path))?;
+    }
+    Ok(())
 }
 
 /// A picture as PNG and SVG.

@@ -1,6 +1,9 @@
 //! Problems with answers, and how they are solved.
 
-use super::settings::{Parameter, Settings};
+use super::{
+    recommendations::Purpose,
+    settings::{Parameter, Settings},
+};
 use crate::{
     bench::BenchError,
     meshing::{Generated, Material, Scenario},
@@ -23,6 +26,14 @@ pub trait Problem {
 
     /// What is varied, with the values where they are not the [usual](Parameter::values) ones.
     fn sweeps(&self) -> Vec<(Parameter, &'static [f64])>;
+
+    /// What runs like it are made for.
+    fn purpose(&self) -> Purpose;
+
+    /// Settings that stay while a parameter is varied; those of the generator without them.
+    fn base(&self, _varied: Parameter) -> Settings {
+        Settings::default()
+    }
 
     /// The scenario, with so many times the cells of the coarsest mesh along an edge.
     fn scenario(&self, refinement: usize) -> Scenario;

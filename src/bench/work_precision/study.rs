@@ -1,7 +1,9 @@
-//! Sweeps of one parameter of a problem, the others being as the generator makes them.
+//! Sweeps of one parameter of a problem, the others being as the generator makes them or as the
+//! [problem](Problem::base) wants them.
 
 use super::{
     problem::{Problem, Solution, solve},
+    recommendations::settings,
     settings::{Parameter, Settings},
 };
 use crate::bench::BenchError;
@@ -35,6 +37,10 @@ pub struct Study {
     pub error_is: &'static str,
     /// The sweeps.
     pub sweeps: Vec<Sweep>,
+    /// The solution with all settings as the generator makes them.
+    pub own: Solution,
+    /// The solution with all [recommended](super::recommendations) settings.
+    pub recommended: Solution,
 }
 
 /// Solves a problem for all values of all its parameters, each `repeats` times for its run time.
@@ -51,24 +57,30 @@ pub fn study(
     for (parameter, values) in problem.sweeps() {
         say(&format!("{}: {}", problem.title(), parameter.label()));
         let chosen = parameter.of_generators().unwrap_or(own.value(parameter));
+        let base = problem.base(parameter);
+        let solved = |value: f64| timed(problem, base.with(parameter, value), repeats);
         let mut points = Vec::new();
         for &value in values {
             if (value / chosen - 1.0).abs() > 1e-9 {
-                let solution = timed(problem, Settings::default().with(parameter, value), repeats)?;
+                let solution = solved(value)?;
                 points.push(Point { solution, is_default: false });
             }
         }
-        let is_own = (own.value(parameter) / chosen - 1.0).abs() < 1e-9;
-        let solution = match is_own {
-            true => own,
-            false => timed(problem, Settings::default().with(parameter, chosen), repeats)?,
-        };
-        points.push(Point { solution, is_default: true });
+        points.push(Point { solution: solved(chosen)?, is_default: true });
         let value = |point: &Point| point.solution.value(parameter);
         points.sort_by(|a, b| value(a).total_cmp(&value(b)));
         sweeps.push(Sweep { parameter, points });
     }
-    Ok(Study { name: problem.name(), title: problem.title(), error_is: problem.error_is(), sweeps })
+    let varied = problem.sweeps().into_iter().map(|(parameter, _)| parameter);
+    let recommended = timed(problem, settings(problem.purpose(), varied), repeats)?;
+    Ok(Study {
+        name: problem.name(),
+        title: problem.title(),
+        error_is: problem.error_is(),
+        sweeps,
+        own,
+        recommended,
+    })
 }
 
 /// Runs that take longer together are not repeated, s.

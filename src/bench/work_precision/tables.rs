@@ -62,7 +62,7 @@ pub fn all(studies: &[Study]) -> String {
         for sweep in &study.sweeps {
             for point in &sweep.points {
                 let s = &point.solution;
-                let error = if s.error.is_nan() { "nan".to_owned() } else { s.error.to_string() };
+                let error = number(s.error);
                 text.push_str(&format!(
                     "{},{},{},{},{error},{},{},{},{},{}\n",
                     study.name,
@@ -79,4 +79,30 @@ pub fn all(studies: &[Study]) -> String {
         }
     }
     text
+}
+
+/// Each problem with all settings of the generator and with all recommended ones, as CSV text.
+#[must_use]
+pub fn recommended(studies: &[Study]) -> String {
+    let mut text = String::from("problem,settings,run time (s),error,steps");
+    for parameter in Parameter::ALL {
+        text.push_str(&format!(",{}", parameter.label()));
+    }
+    text.push('\n');
+    for study in studies {
+        for (name, s) in [("generator", &study.own), ("recommended", &study.recommended)] {
+            let error = number(s.error);
+            text.push_str(&format!("{},{name},{},{error},{}", study.name, s.seconds, s.steps));
+            for parameter in Parameter::ALL {
+                text.push_str(&format!(",{}", number(s.value(parameter))));
+            }
+            text.push('\n');
+        }
+    }
+    text
+}
+
+/// A number as tables of Ypsilon write it.
+fn number(value: f64) -> String {
+    if value.is_nan() { "nan".to_owned() } else { value.to_string() }
 }

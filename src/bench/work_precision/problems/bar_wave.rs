@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run},
+    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::TwoBars},
     scene::Scene,
 };
@@ -55,6 +55,10 @@ impl Problem for BarWave {
             (Parameter::Mesh, Parameter::Mesh.values()),
             (Parameter::Viscosity, Parameter::Viscosity.values()),
         ]
+    }
+
+    fn purpose(&self) -> Purpose {
+        Purpose::Motion
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {

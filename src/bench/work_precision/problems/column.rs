@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run},
+    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::Column},
 };
 
@@ -35,6 +35,10 @@ impl Problem for SelfWeight {
         sweeps[Parameter::TimeStep as usize].1 = &[0.1, 0.2, 0.4, 0.6, 0.8, 0.95, 1.05, 1.2, 1.5];
         sweeps[Parameter::Mesh as usize].1 = &[1.0, 2.0, 4.0];
         sweeps.to_vec()
+    }
+
+    fn purpose(&self) -> Purpose {
+        Purpose::Rest
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {

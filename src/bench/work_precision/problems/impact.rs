@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run},
+    bench::work_precision::{Parameter, Problem, Run, Settings, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::TwoBlocks},
 };
 
@@ -28,6 +28,17 @@ impl Problem for Impact {
             (Parameter::Buffer, Parameter::Buffer.values()),
             (Parameter::Mesh, &[1.0, 2.0, 4.0]),
         ]
+    }
+
+    fn purpose(&self) -> Purpose {
+        Purpose::Motion
+    }
+
+    fn base(&self, varied: Parameter) -> Settings {
+        // the generator's step is too long for an impact: it would hide all else
+        let base = Settings::default().with(Parameter::TimeStep, 0.2);
+        // what the buffer costs shows where there are triangles
+        if varied == Parameter::Buffer { base.with(Parameter::Mesh, 4.0) } else { base }
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {

@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run},
+    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::Cube},
 };
 use std::f64::consts::TAU;
@@ -16,7 +16,7 @@ pub struct Patch;
 /// Displacement of the corners at the start by half the edge.
 const STRAIN: f64 = 1e-6;
 /// Periods that are watched.
-const PERIODS: f64 = 10.0;
+const PERIODS: f64 = 3.0;
 
 fn frequency(cube: &Cube) -> f64 {
     (6.0 * cube.material.young_pa / cube.material.density_kg_m3).sqrt() / cube.edge_m
@@ -40,11 +40,15 @@ impl Problem for Patch {
     }
 
     fn error_is(&self) -> &'static str {
-        "largest error of the displacement in the last of 10 periods, by the amplitude"
+        "largest error of the displacement in the last of 3 periods, by the amplitude"
     }
 
     fn sweeps(&self) -> Vec<(Parameter, &'static [f64])> {
         vec![(Parameter::TimeStep, Parameter::TimeStep.values())]
+    }
+
+    fn purpose(&self) -> Purpose {
+        Purpose::Motion
     }
 
     fn scenario(&self, _refinement: usize) -> Scenario {

@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run},
+    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::BlockOnPlane},
 };
 
@@ -24,6 +24,10 @@ impl Problem for SlidingBlock {
         let mut sweeps = Parameter::ALL.map(|p| (p, p.values()));
         sweeps[Parameter::Mesh as usize].1 = &[1.0, 2.0, 4.0];
         sweeps.to_vec()
+    }
+
+    fn purpose(&self) -> Purpose {
+        Purpose::Rest
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {

@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run},
+    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::TwoBars},
 };
 
@@ -36,6 +36,10 @@ impl Problem for TwoBarsContact {
             (Parameter::Mesh, &[1.0, 2.0, 3.0]),
             (Parameter::Viscosity, Parameter::Viscosity.values()),
         ]
+    }
+
+    fn purpose(&self) -> Purpose {
+        Purpose::Rest
     }
 
     fn scenario(&self, refinement: usize) -> Scenario {
