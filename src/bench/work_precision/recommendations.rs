@@ -24,12 +24,15 @@ pub const TIME_STEP_IN_MOTION: f64 = 0.2;
 
 /// Contact penalty by Young's modulus. Each contact is as soft as a layer of thickness
 /// h E/(6 D1PEPE), h being the height of its triangles, so that errors go with 1/D1PEPE:
-/// `self-weight` sinks 53 % too far at 0.4, 2.6 % at 10; `two-bars` 0.06 % at 10. Steps become
-/// twice as many. Beyond 10 the mesh is what is left of the error.
+/// `self-weight` sinks 53 % too far at 0.4 and 2.6 % at 10, `two-bars` is wrong by 0.06 % at 10.
+/// Compared with 0.4 steps become 1.8 times as many. Beyond 10 `self-weight` gains a factor 3.6
+/// for 2.5 times the steps: the mesh is what is left of its error.
 pub const PENALTY: f64 = 10.0;
 
 /// DIEZON by the mean height of the triangles. It decides about no error (the curves are flat to
-/// all digits); below, detections cost more, above 0.4 the couples.
+/// all digits). In `impact` with 1024 triangles detections cost 1.6 times the run time at 0.003,
+/// and from 0.8 on couples are three times as many as at 0.1; between 0.03 and 0.4 nothing is
+/// gained or lost.
 pub const BUFFER: f64 = 0.1;
 
 /// D1PEKS by 2 h √(E ρ) where bodies come to rest. With a tenth `self-weight` still swings after

@@ -83,8 +83,6 @@ pub fn study(
     })
 }
 
-/// Runs that take longer together are not repeated, s.
-const LONG: f64 = 1.0;
 /// Runs are repeated until they take so long together, s.
 const SHORT: f64 = 0.02;
 /// But so many times as often as asked for at most.
@@ -99,8 +97,8 @@ fn timed(
 ) -> Result<Solution, BenchError> {
     let first = solve(problem, settings)?;
     let (mut least, mut sum, mut runs) = (first.seconds, first.seconds, 1);
-    // a run of a millisecond says little, one of seconds is its own mean
-    while (runs < repeats && sum < LONG) || (sum < SHORT && runs < repeats * MOST_REPEATS) {
+    // a run of a millisecond says little
+    while runs < repeats || (sum < SHORT && runs < repeats * MOST_REPEATS) {
         let again = solve(problem, settings)?.seconds;
         (least, sum, runs) = (least.min(again), sum + again, runs + 1);
     }
