@@ -121,7 +121,8 @@ fn instructions(log: &str) -> Option<u64> {
 }
 
 fn failure(work: &Work, output: &Output) -> BenchError {
-    let said = String::from_utf8_lossy(&output.stderr).trim().to_owned();
+    let said = String::from_utf8_lossy(&output.stderr);
+    let said = said.trim().trim_start_matches("error: ").to_owned();
     worker(work, if said.is_empty() { output.status.to_string() } else { said })
 }
 

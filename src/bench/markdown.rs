@@ -202,7 +202,7 @@ mod tests {
         let text = tables(&example());
         assert!(text.contains("| 5000 | 7400 | 1000 | 1 | 2.00 (1.80 to 2.20) | 1.90"), "{text}");
         assert!(
-            text.contains("| 2 | 3.00 (2.70 to 3.30) | 2.85 (2.56 to 3.13) | 1.50 |"),
+            text.contains("| 2 | 3.00 (2.80 to 3.20) | 2.90 (2.70 to 3.10) | 1.50 |"),
             "{text}"
         );
         assert!(text.contains("| `jointed` | 1 | 20.0 (10 %) | 40.0 (20 %) |"), "{text}");

@@ -3,6 +3,7 @@
 use super::{
     Exit,
     console::{say, warn},
+    deck_report,
 };
 use crate::bench::{
     BenchError, Plan, Program, Report, SCENES, Scene, Subject, Work, found_decks, markdown,
@@ -110,6 +111,7 @@ pub(super) fn main(arguments: &BenchArguments) -> Exit {
     };
     match outcome {
         Ok(()) => Exit::Done,
+        Err(BenchError::Deck(fault)) => deck_report::print_fault(&fault, true),
         Err(error) => {
             warn(&format!("error: {error}"));
             exit_of(&error)
