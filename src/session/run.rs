@@ -443,6 +443,7 @@ impl Session<'_> {
             detections: work.detections,
             couples_evaluated: work.evaluated,
             couples_rested: work.rested,
+            phases: simulation.phase_times(),
             files,
             ..empty_summary(self.options, self.warnings)
         };
@@ -506,6 +507,7 @@ fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
         couples_evaluated: 0,
         couples_rested: 0,
         settling: None,
+        phases: None,
         resumed_at: None,
         warnings,
         files: Vec::new(),
