@@ -50,8 +50,8 @@ impl Ticks {
     ///
     /// ```
     /// use ypsilon_post::plot::Ticks;
-    /// assert_eq!(Ticks::logarithmic(-6.1, 0.1, 3).labels, ["10⁻⁶", "10⁻⁴", "10⁻²", "1"]);
-    /// assert_eq!(Ticks::logarithmic(-1.0, 0.3, 5).labels, ["0.1", "0.2", "0.5", "1", "2"]);
+    /// assert_eq!(Ticks::logarithmic(-6.1, 0.1, 4).labels, ["10⁻⁶", "10⁻⁴", "10⁻²", "1"]);
+    /// assert_eq!(Ticks::logarithmic(-1.0, 0.31, 5).labels, ["0.1", "0.2", "0.5", "1", "2"]);
     /// ```
     #[must_use]
     pub fn logarithmic(low: f64, high: f64, wanted: usize) -> Self {

@@ -1,5 +1,5 @@
 //! Settings that the curves of work-precision speak for, without dimension as in
-//! [`Parameter`](super::Parameter). Figures are those of `docs/src/work-precision.md`.
+//! [`Parameter`]. Figures are those of `docs/src/work-precision.md`.
 
 use super::settings::{Parameter, Settings};
 
