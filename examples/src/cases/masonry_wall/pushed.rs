@@ -6,8 +6,8 @@ use ypsilon::{meshing::Scenario, session::Format};
 /// Depth of the model by that of the test.
 pub(super) const DEPTH: f64 = 5.0;
 
-/// Where the first branch is measured \[m\].
-pub(super) const FIRST: f64 = 0.1e-3;
+/// The mean shear strain at which the first branch is measured.
+const FIRST: f64 = 0.5e-4;
 
 /// A wall that was pushed.
 pub(super) struct Pushed {
@@ -28,6 +28,17 @@ impl Pushed {
         let pushed = table.rows.iter().filter(|row| row[moved] > 0.0);
         let curve = pushed.map(|row| [row[moved], row[force] - before]).collect();
         Ok(Pushed { scenario, run, curve })
+    }
+
+    /// Where the first branch is measured \[m\].
+    pub fn first(&self) -> f64 {
+        let wall = self.scenario.wall.as_ref();
+        wall.map_or(f64::NAN, |wall| FIRST * wall.brick_height_m * wall.courses as f64)
+    }
+
+    /// Stiffness of the first branch \[N/m\].
+    pub fn stiffness(&self) -> f64 {
+        self.secant(self.first())
     }
 
     /// Secant of the curve at a displacement \[N/m\].
@@ -54,8 +65,9 @@ impl Pushed {
 
     /// The displacement from which on the force is a fifth below the first secant \[m\].
     pub fn yields(&self) -> f64 {
-        let stiffness = self.secant(FIRST);
-        let beyond = self.curve.iter().find(|p| p[0] > FIRST && p[1] < 0.8 * stiffness * p[0]);
+        let stiffness = self.stiffness();
+        let beyond =
+            self.curve.iter().find(|p| p[0] > self.first() && p[1] < 0.8 * stiffness * p[0]);
         beyond.map_or(f64::NAN, |p| p[0])
     }
 
@@ -79,16 +91,16 @@ impl Pushed {
     }
 
     pub fn first_branch(&self, what: &str) -> Finding {
-        let (first, later) = (self.secant(FIRST), self.secant(2.0 * FIRST));
+        let (first, later) = (self.stiffness(), self.secant(2.0 * self.first()));
         Finding::statement(
             &format!("first branch, {what}"),
             "linear",
             &format!(
-                "{:.0} kN/mm up to {:.2} mm, {:.0} kN/mm up to {:.2} mm (0.2 m deep)",
+                "{:.0} kN/mm up to {:.3} mm, {:.0} kN/mm up to {:.3} mm (0.2 m deep)",
                 first / DEPTH / 1e6,
-                1e3 * FIRST,
+                1e3 * self.first(),
                 later / DEPTH / 1e6,
-                2e3 * FIRST
+                2e3 * self.first()
             ),
             (later / first - 1.0).abs() < 0.1,
         )

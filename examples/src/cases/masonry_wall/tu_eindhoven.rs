@@ -1,6 +1,6 @@
 //! The shear wall of TU Eindhoven.
 
-use super::pushed::{DEPTH, FIRST, Pushed};
+use super::pushed::{DEPTH, Pushed};
 use crate::{Bench, Case, CaseError, Finding, Group, Length, Outcome};
 use ypsilon::meshing::Scenario;
 use ypsilon_post::{
@@ -69,7 +69,7 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
 
 /// Joints that bond make the wall stiffer than contact alone.
 fn stiffer(printed: &Pushed, bonded: &Pushed) -> Finding {
-    let [soft, stiff] = [printed, bonded].map(|run| run.secant(FIRST) / DEPTH / 1e6);
+    let [soft, stiff] = [printed, bonded].map(|run| run.stiffness() / DEPTH / 1e6);
     Finding::statement(
         "stiffness",
         "larger with bonding mortar",
@@ -79,9 +79,6 @@ fn stiffer(printed: &Pushed, bonded: &Pushed) -> Finding {
 }
 
 fn printed_findings(run: &Pushed) -> [Finding; 3] {
-    let (first, force) = (run.secant(FIRST), run.force(AT_YIELD));
-    let end = run.curve.last().copied().unwrap_or([f64::NAN; 2]);
-    let later = (end[1] - force) / (end[0] - AT_YIELD);
     [
         Finding::range(
             "yielding (a fifth below the first branch), p_f as printed",
@@ -90,18 +87,25 @@ fn printed_findings(run: &Pushed) -> [Finding; 3] {
             1e3 * run.yields(),
         )
         .noted("The thesis reads \"from about 1.5 mm\" off its curve without a criterion."),
-        Finding::range("force at 1.5 mm, p_f as printed", "kN", [35.0, 65.0], force / DEPTH / 1e3)
-            .noted("The tests' plateau lies at roughly 50 kN; 30 % for two walls and one mesh."),
-        Finding::told(
-            "slope beyond 1.5 mm by the first one, p_f as printed",
-            "",
-            0.0,
-            later / first,
-            "expected is the test's plateau; the thesis says that its own curve shows none as clearly",
+        Finding::range(
+            "plateau (mean force from 1.5 mm on), p_f as printed",
+            "kN",
+            [35.0, 65.0],
+            run.mean(AT_YIELD) / DEPTH / 1e3,
         )
         .noted(
-            "The beam is locked vertically, so that blocks that rock or ride up press harder on it, and friction \
-             grows; bricks that do not break let them.",
+            "The tests' plateau lies at roughly 50 kN; 30 % for two walls and one mesh. The force saws, as bricks \
+             slip one after the other.",
+        ),
+        Finding::range(
+            "largest force, p_f as printed",
+            "kN",
+            [35.0, 65.0],
+            run.largest(f64::INFINITY) / DEPTH / 1e3,
+        )
+        .noted(
+            "The beam is locked vertically, so that bricks that rock press harder on it, and friction grows until \
+             they slip. The thesis says as well that its curve goes on rising where the test's does not.",
         ),
     ]
 }
@@ -140,8 +144,8 @@ fn bonded_findings(run: &Pushed, soft: &Pushed) -> Vec<Finding> {
         Finding::told(
             "stiffness of the first branch with a quarter of the mortar's penalty",
             "kN/mm",
-            run.secant(FIRST) / DEPTH / 1e6,
-            soft.secant(FIRST) / DEPTH / 1e6,
+            run.stiffness() / DEPTH / 1e6,
+            soft.stiffness() / DEPTH / 1e6,
             "sensitivity: expected is the value with the full penalty",
         ),
     ]
@@ -171,19 +175,19 @@ fn tresca(run: &Pushed) -> Result<(Frame, [Finding; 2]), CaseError> {
     Ok((frame, [largest, diagonal]))
 }
 
-/// A small wall that is pushed ten times as fast.
+/// A small wall that is pushed five times as fast.
 fn shortened(mut scenario: Scenario) -> Scenario {
     if let Some(wall) = &mut scenario.wall {
         wall.courses = 4;
         wall.half_bricks_per_course = 5;
-        wall.shear_velocity_m_s = 0.02;
-        wall.shear_way_m = 0.4e-3;
+        wall.shear_velocity_m_s = 0.01;
+        wall.shear_way_m = 0.1e-3;
         wall.shear_ramp_s = 0.002;
         wall.load_ramp_s = 0.02;
         wall.shear_from_s = 0.03;
     }
     scenario.run.output_s = Some(0.01);
-    scenario.run.monitor_interval = Some(100);
+    scenario.run.monitor_interval = Some(20);
     let top = 4.0 * 0.06 - 0.01;
     for monitor in &mut scenario.monitors {
         if monitor.name == "upper beam" {
