@@ -103,7 +103,8 @@ fn hasten(scenario: &mut Scenario) {
     if staging.part < 0.5 {
         let end = scenario.run.end_s.get_or_insert(4.0);
         if scenario.loads.iter().any(is_staged) {
-            *end -= 2.0 * staging.interval_s;
+            // two stages less, one of them to come to rest
+            *end -= staging.interval_s;
         }
         staging.part = 0.5;
     }
