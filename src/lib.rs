@@ -10,6 +10,7 @@
 pub mod cli;
 pub mod contact;
 pub mod insertion;
+pub mod lanes;
 pub mod mechanics;
 pub mod meshing;
 pub mod output;

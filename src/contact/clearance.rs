@@ -22,13 +22,22 @@ const SAFETY: f64 = 0.99;
 /// Numerators below this share of D² are not trusted to have a sign.
 const NOISE: f64 = 1e-9;
 
-/// Displacement of any node, m, up to which the couple of two triangles
-/// provably stays without effect; 0 if it must be evaluated every step.
+/// Displacements of any node up to which something provably holds for a couple.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Clearance {
+    /// The couple stays without effect and in the list, m; 0 if it must be looked at every step.
+    pub rest: f64,
+    /// While no edge has to be cut and the triangles are counter-clockwise, the couple stays in
+    /// the list, m.
+    pub stay: f64,
+}
+
+/// How far the nodes of the couple of two triangles may move.
 ///
 /// `nodes` are the node numbers, `corners` the current positions, of target
 /// and contactor. `buffer` is the detection buffer.
 #[must_use]
-pub fn clearance(nodes: [&[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -> f64 {
+pub fn clearance(nodes: [&[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -> Clearance {
     let couple = Couple::new(nodes, corners);
     let noise = NOISE * couple.extent * couple.extent;
     let mut slack = couple.areas[0].min(couple.areas[1]);
@@ -39,7 +48,12 @@ pub fn clearance(nodes: [&[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -
     }
     let holds = SAFETY * (slack - noise) / (5.0 * couple.extent);
     let stays = couple.keeping_distance(buffer);
-    let bound = holds.min(stays).min(couple.extent / 4.0);
+    let stay = positive(stays.min(couple.extent / 4.0));
+    Clearance { rest: positive(holds.min(stay)), stay }
+}
+
+/// The number if it is positive, else 0.
+fn positive(bound: f64) -> f64 {
     if bound > 0.0 { bound } else { 0.0 }
 }
 
@@ -170,27 +184,27 @@ mod tests {
     #[test]
     fn separated_triangles_rest_for_part_of_their_gap() {
         let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 1.1))];
-        let b = clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.2);
+        let b = clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.2).rest;
         assert!(b > 0.0 && b < 0.05, "{b}");
     }
 
     #[test]
     fn overlapping_triangles_never_rest() {
         let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 0.9))];
-        assert_eq!(clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.2), 0.0);
+        assert_eq!(clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.2).rest, 0.0);
     }
 
     #[test]
     fn couples_about_to_be_dropped_never_rest() {
         let corners = [unit(Vec2::zeros()), unit(Vec2::new(0.0, 1.1))];
-        assert_eq!(clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.01), 0.0);
+        assert_eq!(clearance([&[0, 1, 2], &[3, 4, 5]], &corners, 0.01).rest, 0.0);
     }
 
     #[test]
     fn triangles_that_share_an_edge_rest_whatever_the_buffer() {
         let [a, b, c] = unit(Vec2::zeros());
         let d = Vec2::new(1.0, 1.0);
-        let b_rest = clearance([&[0, 1, 2], &[2, 1, 3]], &[[a, b, c], [c, b, d]], 0.0);
+        let b_rest = clearance([&[0, 1, 2], &[2, 1, 3]], &[[a, b, c], [c, b, d]], 0.0).rest;
         assert!(b_rest > 0.1, "{b_rest}");
     }
 
@@ -239,7 +253,7 @@ mod tests {
             }
             let still = at(&nodes, 0.0);
             prop_assume!(area(&still[0]) > 1e-3 && area(&still[1]) > 1e-3);
-            let free = clearance([&nodes[0], &nodes[1]], &still, buffer);
+            let free = clearance([&nodes[0], &nodes[1]], &still, buffer).rest;
             let shapes = at(&nodes, free).map(Shape::new);
             let motion = Motion::new([Vec2::new(1.0, 2.0); 3]);
             let couple = Couple {

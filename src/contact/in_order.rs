@@ -7,7 +7,7 @@ use super::{
     clearance::clearance,
     evaluation::{Done, Step},
     overlap2::{Couple, EdgeContact, Proximity, SideForces, TangentialLaw, overlap},
-    visits::{Visit, unlink},
+    visits::{Respites, Visit, unlink},
 };
 use crate::{
     mechanics::Vec2,
@@ -134,6 +134,7 @@ impl<F: FractureFaces> TangentialLaw for FractureFriction<'_, F> {
 pub(super) fn evaluate_in_order(
     step: &Step<'_>,
     list: &mut [Visit],
+    respites: &mut Respites,
     model: FrictionModel,
     faces: &impl FractureFaces,
     mut tally: Option<&mut Tally>,
@@ -144,15 +145,15 @@ pub(super) fn evaluate_in_order(
     let mut last_angle = 0.0;
     for index in 0..list.len() {
         let visit = &mut list[index];
-        if step.path < visit.rest {
+        if step.path < respites.rest[index] {
             continue;
         }
         done.evaluated += 1;
         let [target, contactor] = visit.participants.map(|p| p as usize);
         let pair = step.pairs.properties(visit.pair);
         let couple = Couple {
-            shapes: [&step.shapes[target], &step.shapes[contactor]],
-            motions: [&step.motions[target], &step.motions[contactor]],
+            shapes: [&step.bodies.shapes[target], &step.bodies.shapes[contactor]],
+            motions: [&step.bodies.motions[target], &step.bodies.motions[contactor]],
             pair,
             dt: step.dt,
             drop_distance_squared: 4.0 * step.buffer * step.buffer,
@@ -168,7 +169,8 @@ pub(super) fn evaluate_in_order(
         };
         match overlap(&couple, &mut law, &mut visit.sliding, &mut sides) {
             Proximity::Near => {
-                let [target, contactor] = [&step.corners[target], &step.corners[contactor]];
+                let [target, contactor] =
+                    [&step.bodies.corners[target], &step.bodies.corners[contactor]];
                 sides[0].scatter(target, contactor, forces);
                 sides[1].scatter(contactor, target, forces);
             }
@@ -178,9 +180,10 @@ pub(super) fn evaluate_in_order(
                 unlink(list, index);
             }
             Proximity::Clear if step.rests => {
-                let ids = [&step.corners[target], &step.corners[contactor]];
+                let ids = [&step.bodies.corners[target], &step.bodies.corners[contactor]];
                 let corners = [couple.shapes[0].corners(), couple.shapes[1].corners()];
-                visit.let_rest(step, clearance(ids, &corners, step.buffer));
+                let free = clearance(ids, &corners, step.buffer).rest;
+                respites.rest[index] = step.rest(free).unwrap_or(0.0);
             }
             Proximity::Clear => {}
         }

@@ -8,7 +8,7 @@ use super::{
     evaluation::{Done, Evaluator, Step},
     friction::PairTable,
     in_order::{FractureFaces, Tally, evaluate_in_order},
-    visits::Visits,
+    visits::{Respites, Visits},
 };
 use crate::{
     mechanics::Vec2,
@@ -36,8 +36,9 @@ const MOST_COUNTED: u64 = 1 << 60;
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct ContactState {
     couples: CoupleList,
-    /// Evaluations before each couple is asked again whether it may rest, in their order.
-    patience: Vec<u8>,
+    /// How long the couples can be left alone, in the order of their evaluation.
+    respites: Respites,
+    evaluations: u64,
     travel: f64,
     path: f64,
     advance: f64,
@@ -65,6 +66,8 @@ pub struct Contact {
     /// Nodes of elements that take part in contact.
     moving_nodes: Vec<u32>,
     work: CoupleWork,
+    /// Steps in which couples were evaluated.
+    evaluations: u64,
     /// Whether a dropped couple changes the next of its chain.
     is_chained: bool,
 }
@@ -90,6 +93,7 @@ impl Contact {
             evaluator: Evaluator::default(),
             moving_nodes: Vec::new(),
             work: CoupleWork::default(),
+            evaluations: 0,
         }
     }
 
@@ -169,7 +173,8 @@ impl Contact {
         self.visits.store(&mut couples);
         ContactState {
             couples,
-            patience: self.visits.list.iter().map(|visit| visit.patience).collect(),
+            respites: self.visits.respites.clone(),
+            evaluations: self.evaluations,
             travel: self.travel,
             path: self.path,
             advance: self.advance,
@@ -183,9 +188,10 @@ impl Contact {
     /// # Errors
     /// If the state is not one of this scene; contact is of no use then.
     pub fn restore(&mut self, state: ContactState, scene: &Scene) -> Result<(), &'static str> {
-        let ContactState { couples, patience, travel, path, advance, rests, work } = state;
+        let ContactState { couples, respites, evaluations, travel, path, advance, rests, work } =
+            state;
         couples.check(scene.elements.len())?;
-        let counts = [work.detections, work.evaluated, work.rested];
+        let counts = [work.detections, work.evaluated, work.rested, evaluations];
         if counts.into_iter().any(|count| count > MOST_COUNTED) {
             return Err("a count of contacts is too large");
         }
@@ -194,12 +200,11 @@ impl Contact {
         self.take_over(scene);
         self.couples = couples;
         self.list_couples(&scene.elements);
-        if patience.len() != self.visits.list.len() {
+        if !respites.is_of(self.visits.list.len()) {
             return Err("the couples are not those of the elements");
         }
-        for (visit, patience) in self.visits.list.iter_mut().zip(patience) {
-            visit.patience = patience;
-        }
+        self.visits.respites = respites;
+        self.evaluations = evaluations;
         Ok(())
     }
 
@@ -251,11 +256,19 @@ impl Contact {
     /// Adds the contact forces of all couples and drops those that came apart.
     pub fn interact(&mut self, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) {
         self.visits.bodies.update(nodes);
-        let mut list = std::mem::take(&mut self.visits.list);
-        let mut evaluator = std::mem::take(&mut self.evaluator);
-        let done = evaluator.evaluate(&self.step(dt), &mut list, forces);
-        self.evaluator = evaluator;
-        self.visits.list = list;
+        let Visits { list, participants, respites, bodies, .. } = &mut self.visits;
+        let step = Step {
+            bodies,
+            velocities: &nodes.velocity,
+            pairs: &self.pairs,
+            dt,
+            buffer: self.settings.buffer,
+            path: self.path,
+            advance: self.advance,
+            rests: self.rests,
+            evaluation: self.evaluations as f64,
+        };
+        let done = self.evaluator.evaluate(&step, list, participants, respites.as_mut(), forces);
         self.take_stock(done);
     }
 
@@ -269,30 +282,26 @@ impl Contact {
         tally: Option<&mut Tally>,
         forces: &mut [Vec2],
     ) {
-        self.visits.bodies.update(nodes);
-        let mut list = std::mem::take(&mut self.visits.list);
-        let model = self.settings.friction;
-        let done = evaluate_in_order(&self.step(dt), &mut list, model, faces, tally, forces);
-        self.visits.list = list;
-        self.take_stock(done);
-    }
-
-    fn step(&self, dt: f64) -> Step<'_> {
-        let bodies = &self.visits.bodies;
-        Step {
-            shapes: &bodies.shapes,
-            motions: &bodies.motions,
-            corners: &bodies.corners,
+        self.visits.bodies.update_shapes(nodes);
+        let Visits { list, respites, bodies, .. } = &mut self.visits;
+        let step = Step {
+            bodies,
+            velocities: &nodes.velocity,
             pairs: &self.pairs,
             dt,
             buffer: self.settings.buffer,
             path: self.path,
             advance: self.advance,
             rests: self.rests,
-        }
+            evaluation: self.evaluations as f64,
+        };
+        let model = self.settings.friction;
+        let done = evaluate_in_order(&step, list, respites, model, faces, tally, forces);
+        self.take_stock(done);
     }
 
     fn take_stock(&mut self, done: Done) {
+        self.evaluations += 1;
         self.work.evaluated += done.evaluated;
         self.work.rested += self.visits.list.len() as u64 - done.evaluated;
         if done.dropped {

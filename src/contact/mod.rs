@@ -1,21 +1,25 @@
 //! Contact: when and between which elements it is looked for, the list of
 //! couples, and the potential force of one couple.
 
+mod bodies;
 mod bonds;
+mod certain;
 mod clearance;
 mod couples;
 mod detection;
+mod edges;
 mod evaluation;
 mod friction;
 mod in_order;
 mod interaction;
+mod locate;
 mod overlap2;
 mod placement;
 mod profile;
 mod visits;
 
 pub use bonds::Bonds;
-pub use clearance::clearance;
+pub use clearance::{Clearance, clearance};
 pub use couples::CoupleList;
 pub use detection::{Detector, Participants};
 pub use friction::PairTable;

@@ -1,15 +1,10 @@
 //! The couples in the order of their evaluation, with the shapes of the
 //! elements that they need.
 
-use super::{
-    couples::CoupleList,
-    friction::PairTable,
-    placement::{Motion, Shape},
-};
-use crate::{
-    mechanics::Vec2,
-    scene::{Elements, Nodes},
-};
+use super::{bodies::Bodies, couples::CoupleList, friction::PairTable};
+use crate::scene::Elements;
+use rayon::prelude::*;
+use serde::{Deserialize, Serialize};
 
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
@@ -17,8 +12,6 @@ const NOWHERE: u32 = u32::MAX;
 /// A couple in the order of evaluation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Visit {
-    /// Path length up to which the couple rests, m.
-    pub rest: f64,
     /// Sliding accumulated on the edges of target and contactor, m²: lent by
     /// the couple's slot until the list is made anew or the couple is dropped.
     pub sliding: [f64; 6],
@@ -28,8 +21,6 @@ pub(super) struct Visit {
     pub pair: u32,
     /// Places of target and contactor among the participants.
     pub participants: [u32; 2],
-    /// Evaluations to go before it is asked again whether the couple may rest.
-    pub patience: u8,
     /// Whether the couple came apart in this step.
     pub is_dropped: bool,
     pub contactor: u32,
@@ -43,58 +34,87 @@ pub(super) struct Visit {
     listed: u32,
 }
 
+/// How long couples can be left alone, in the order of the list. Paths are those of the fastest
+/// node since the start: no node has moved further.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct Respites {
+    /// Path up to which the couple provably has no effect, m.
+    pub rest: Vec<f64>,
+    /// Path up to which it provably is not dropped, m.
+    pub stay: Vec<f64>,
+    /// Evaluation from which on it may be asked again whether it can rest.
+    pub ask: Vec<f64>,
+}
+
+impl Respites {
+    /// Whether they are those of so many couples.
+    pub fn is_of(&self, couples: usize) -> bool {
+        [&self.rest, &self.stay, &self.ask].into_iter().all(|values| values.len() == couples)
+    }
+
+    /// All of them.
+    pub fn as_mut(&mut self) -> RespitesMut<'_> {
+        RespitesMut { rest: &mut self.rest, stay: &mut self.stay, ask: &mut self.ask }
+    }
+
+    fn clear(&mut self) {
+        self.rest.clear();
+        self.stay.clear();
+        self.ask.clear();
+    }
+
+    fn push(&mut self, rest: f64) {
+        self.rest.push(rest);
+        self.stay.push(0.0);
+        self.ask.push(0.0);
+    }
+
+    /// Keeps the couples for which `keep` holds.
+    fn retain(&mut self, keep: impl Fn(usize) -> bool) {
+        for values in [&mut self.rest, &mut self.stay, &mut self.ask] {
+            let mut index = 0;
+            values.retain(|_| {
+                index += 1;
+                keep(index - 1)
+            });
+        }
+    }
+}
+
+/// [`Respites`] of some couples in a row.
+pub(super) struct RespitesMut<'a> {
+    pub rest: &'a mut [f64],
+    pub stay: &'a mut [f64],
+    pub ask: &'a mut [f64],
+}
+
+impl<'a> RespitesMut<'a> {
+    /// Those of so many couples each.
+    pub fn chunks(self, size: usize) -> impl Iterator<Item = RespitesMut<'a>> {
+        let stay_ask = self.stay.chunks_mut(size).zip(self.ask.chunks_mut(size));
+        let all = self.rest.chunks_mut(size).zip(stay_ask);
+        all.map(|(rest, (stay, ask))| RespitesMut { rest, stay, ask })
+    }
+
+    /// The same for any thread.
+    pub fn par_chunks(self, size: usize) -> impl IndexedParallelIterator<Item = RespitesMut<'a>> {
+        let stay_ask = self.stay.par_chunks_mut(size).zip(self.ask.par_chunks_mut(size));
+        let all = self.rest.par_chunks_mut(size).zip(stay_ask);
+        all.map(|(rest, (stay, ask))| RespitesMut { rest, stay, ask })
+    }
+}
+
 /// All couples, and the elements that take part in one.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Visits {
     pub list: Vec<Visit>,
+    /// Places of target and contactor of each couple among the participants.
+    pub participants: Vec<[u32; 2]>,
+    /// How long each couple of the list can be left alone.
+    pub respites: Respites,
     pub bodies: Bodies,
     /// Couples in the order of listing.
     order: Vec<u32>,
-}
-
-/// The elements that take part in a couple.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Bodies {
-    /// Corner nodes.
-    pub corners: Vec<[u32; 3]>,
-    /// Present shapes.
-    pub shapes: Vec<Shape>,
-    /// Present velocities of the corners.
-    pub motions: Vec<Motion>,
-    /// Place of each element among them.
-    place: Vec<u32>,
-}
-
-impl Bodies {
-    fn clear(&mut self, elements: usize) {
-        self.corners.clear();
-        self.place.clear();
-        self.place.resize(elements, NOWHERE);
-    }
-
-    fn place_of(&mut self, element: u32, elements: &Elements) -> u32 {
-        let place = &mut self.place[element as usize];
-        if *place == NOWHERE {
-            *place = self.corners.len() as u32;
-            self.corners.push(elements.corners::<3>(element as usize).map(|n| n as u32));
-        }
-        *place
-    }
-
-    fn complete(&mut self) {
-        self.shapes.resize(self.corners.len(), Shape::default());
-        self.motions.resize(self.corners.len(), Motion::default());
-    }
-
-    /// Takes over the present positions and velocities.
-    pub fn update(&mut self, nodes: &Nodes<2>) {
-        let Self { corners, shapes, motions, .. } = self;
-        for ((shape, motion), &[p, q, r]) in shapes.iter_mut().zip(motions).zip(&*corners) {
-            let of = |values: &[Vec2]| [values[p as usize], values[q as usize], values[r as usize]];
-            *shape = Shape::new(of(&nodes.current));
-            *motion = Motion::new(of(&nodes.velocity));
-        }
-    }
 }
 
 /// Takes a couple that comes apart out of its chain. As in the original the
@@ -113,9 +133,9 @@ pub(super) fn unlink(list: &mut [Visit], index: usize) {
 impl Visits {
     /// Gives sliding and rest of all couples back to their slots.
     pub fn store(&self, couples: &mut CoupleList) {
-        for visit in &self.list {
+        for (visit, &rest) in self.list.iter().zip(&self.respites.rest) {
             *couples.sliding_mut(visit.slot) = visit.sliding;
-            couples.set_rest(visit.slot, visit.rest);
+            couples.set_rest(visit.slot, rest);
         }
     }
 
@@ -132,12 +152,10 @@ impl Visits {
                     continue;
                 };
                 let visit = Visit {
-                    rest: couples.rest(slot),
                     sliding: *couples.sliding(slot),
                     rank,
                     pair: pairs.along_fracture(elements, contactor, target).unwrap_or(rank),
                     participants: [target, contactor].map(|e| self.bodies.place_of(e, elements)),
-                    patience: 0,
                     is_dropped: false,
                     contactor,
                     target,
@@ -152,7 +170,12 @@ impl Visits {
         // the order of listing as second key makes the sort stable, without the
         // buffer that a stable sort allocates
         self.list.sort_unstable_by_key(|visit| (visit.rank, visit.listed));
-        self.bodies.complete();
+        self.respites.clear();
+        self.participants.clear();
+        for visit in &self.list {
+            self.respites.push(couples.rest(visit.slot));
+            self.participants.push(visit.participants);
+        }
     }
 
     /// Links the couples of each contactor in the order of their chain.
@@ -180,6 +203,10 @@ impl Visits {
             *couples.sliding_mut(visit.slot) = visit.sliding;
             couples.remove(visit.contactor, visit.slot);
         }
+        let list = &self.list;
+        self.respites.retain(|index| !list[index].is_dropped);
         self.list.retain(|visit| !visit.is_dropped);
+        self.participants.clear();
+        self.participants.extend(self.list.iter().map(|visit| visit.participants));
     }
 }

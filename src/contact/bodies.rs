@@ -1,0 +1,122 @@
+//! The elements that take part in a couple, as contact sees them in a step.
+
+use super::placement::{Motion, Shape};
+use crate::{
+    lanes::{LANES, Lanes, each},
+    mechanics::Vec2,
+    scene::{Elements, Nodes},
+};
+
+/// No place among the participants.
+const NOWHERE: u32 = u32::MAX;
+
+/// Corners and area of a triangle in one cache line.
+#[derive(Debug, Clone, Copy, Default)]
+#[repr(align(64))]
+pub(super) struct Body {
+    /// x and y of corners 0 and 1; x and y of corner 2, twice the area, nothing.
+    rows: [[f64; 4]; 2],
+}
+
+impl Body {
+    /// The triangle with these corners.
+    #[inline(always)]
+    pub fn new([p, q, r]: [Vec2; 3]) -> Self {
+        let double_area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+        Self { rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, double_area, 0.0]] }
+    }
+
+    /// Corner `i`.
+    #[inline(always)]
+    pub fn corner(&self, i: usize) -> &[f64; 2] {
+        &self.rows.as_flattened().as_chunks().0[i]
+    }
+
+    /// All corners.
+    pub fn corners(&self) -> [Vec2; 3] {
+        [0, 1, 2].map(|i| Vec2::from(*self.corner(i)))
+    }
+
+    /// Shape of the triangle.
+    pub fn shape(&self) -> Shape {
+        Shape::new(self.corners())
+    }
+}
+
+/// Four triangles, one per lane.
+#[derive(Clone, Copy)]
+pub(super) struct Triangles<L> {
+    /// Coordinates of the corners.
+    pub x: [L; 3],
+    pub y: [L; 3],
+    pub double_area: L,
+}
+
+impl<L: Lanes> Triangles<L> {
+    #[inline(always)]
+    pub fn new(bodies: [&Body; LANES]) -> Self {
+        let [x0, y0, x1, y1] = L::transpose(each!(4, |k| L::load(&bodies[k].rows[0])));
+        let [x2, y2, double_area, _] = L::transpose(each!(4, |k| L::load(&bodies[k].rows[1])));
+        Self { x: [x0, x1, x2], y: [y0, y1, y2], double_area }
+    }
+
+    /// Outward normal of edge `e`, as long as the edge.
+    #[inline(always)]
+    pub fn normal(&self, e: usize) -> [L; 2] {
+        let next = (e + 1) % 3;
+        [self.y[next] - self.y[e], self.x[e] - self.x[next]]
+    }
+}
+
+/// All participants of couples.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Bodies {
+    /// Corner nodes.
+    pub corners: Vec<[u32; 3]>,
+    /// Present corners.
+    pub bodies: Vec<Body>,
+    /// Present shapes and velocities of the corners, where couples are evaluated one by one.
+    pub shapes: Vec<Shape>,
+    pub motions: Vec<Motion>,
+    /// Place of each element among them.
+    place: Vec<u32>,
+}
+
+impl Bodies {
+    /// Forgets all participants.
+    pub fn clear(&mut self, elements: usize) {
+        self.corners.clear();
+        self.place.clear();
+        self.place.resize(elements, NOWHERE);
+    }
+
+    /// Place of an element, which takes part from now on.
+    pub fn place_of(&mut self, element: u32, elements: &Elements) -> u32 {
+        let place = &mut self.place[element as usize];
+        if *place == NOWHERE {
+            *place = self.corners.len() as u32;
+            self.corners.push(elements.corners::<3>(element as usize).map(|n| n as u32));
+        }
+        *place
+    }
+
+    /// Takes over the present positions.
+    pub fn update(&mut self, nodes: &Nodes<2>) {
+        self.bodies.resize(self.corners.len(), Body::default());
+        let current = &nodes.current;
+        for (body, corners) in self.bodies.iter_mut().zip(&self.corners) {
+            *body = Body::new(corners.map(|n| current[n as usize]));
+        }
+    }
+
+    /// Takes over the present positions and velocities as shapes and motions.
+    pub fn update_shapes(&mut self, nodes: &Nodes<2>) {
+        self.shapes.resize(self.corners.len(), Shape::default());
+        self.motions.resize(self.corners.len(), Motion::default());
+        let Self { corners, shapes, motions, .. } = self;
+        for ((shape, motion), corners) in shapes.iter_mut().zip(motions).zip(&*corners) {
+            *shape = Shape::new(corners.map(|n| nodes.current[n as usize]));
+            *motion = Motion::new(corners.map(|n| nodes.velocity[n as usize]));
+        }
+    }
+}
