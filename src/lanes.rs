@@ -52,27 +52,6 @@ pub trait Lanes:
     /// The same number in all lanes.
     fn splat(value: f64) -> Self;
 
-    /// From one number per lane.
-    fn new(values: [f64; LANES]) -> Self;
-
-    /// Numbers of all lanes.
-    fn array(self) -> [f64; LANES];
-
-    /// Four numbers that lie one after the other.
-    fn load(values: &[f64; LANES]) -> Self;
-
-    /// Writes the numbers one after the other.
-    fn store(self, values: &mut [f64; LANES]);
-
-    /// Components of four plane vectors: all first ones, all second ones.
-    fn pairs(pairs: [&[f64; 2]; LANES]) -> [Self; 2];
-
-    /// The transpose: lane `i` of result `k` is lane `k` of `rows[i]`.
-    fn transpose(rows: [Self; LANES]) -> [Self; LANES];
-
-    /// The plane vectors of four lanes: the inverse of [`Self::pairs`].
-    fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES];
-
     /// Square roots.
     fn sqrt(self) -> Self;
 
@@ -99,6 +78,27 @@ pub trait Lanes:
 
     /// `yes` where the mask is true, `no` elsewhere.
     fn select(mask: Self::Mask, yes: Self, no: Self) -> Self;
+
+    /// From one number per lane.
+    fn new(values: [f64; LANES]) -> Self;
+
+    /// Numbers of all lanes.
+    fn array(self) -> [f64; LANES];
+
+    /// Four numbers that lie one after the other.
+    fn load(values: &[f64; LANES]) -> Self;
+
+    /// Writes the numbers one after the other.
+    fn store(self, values: &mut [f64; LANES]);
+
+    /// Components of four plane vectors: all first ones, all second ones.
+    fn pairs(pairs: [&[f64; 2]; LANES]) -> [Self; 2];
+
+    /// The transpose: lane `i` of result `k` is lane `k` of `rows[i]`.
+    fn transpose(rows: [Self; LANES]) -> [Self; LANES];
+
+    /// The plane vectors of four lanes: the inverse of [`Self::pairs`].
+    fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES];
 }
 
 /// Truth values of four lanes.

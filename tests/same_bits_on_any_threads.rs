@@ -5,7 +5,7 @@ mod support;
 use rayon::ThreadPoolBuilder;
 use support::{
     grid_deck::jointed_wall,
-    scenes::{bits, scene, step},
+    scenes::{bits, reference_scene, scene, step},
 };
 use yformat::dialect::Dialect;
 use ypsilon::{
@@ -48,4 +48,36 @@ fn moves_alike(scene: &Scene) {
         assert!(run(threads) == alone, "{threads} threads give other bits");
     }
     assert!(run(8) == alone, "a second run gives other bits");
+}
+
+/// Elements across borders of domains, with loads on their edges, joints that soften and break
+/// and every dialect.
+#[test]
+fn scenes_move_alike_in_any_number_of_parts() {
+    for (case, steps) in [
+        ("i_pres_fac", 400),
+        ("n_wall_tension", 3000),
+        ("k_arch_fr0.7", 300),
+        ("d_slide_fr0.3", 500),
+        ("classic/j_wall_jointed_mono", 500),
+        ("classic/e_joint_tension", 2900),
+        ("ygeo/y_absorbing", 500),
+        ("ygeo/y_planestress", 500),
+        ("ygeo/j_wall_dry", 500),
+    ] {
+        let scene = reference_scene(case);
+        let run = |parts| {
+            let mut simulation = Simulation::new(scene.clone());
+            simulation.prepare().expect("the deck leaves room for its joints");
+            simulation.divide_into(parts);
+            (0..steps).for_each(|_| step(&mut simulation));
+            let stresses = simulation.stresses().iter().flat_map(|s| s.iter());
+            let stresses: Vec<u64> = stresses.map(|s| s.to_bits()).collect();
+            (bits(&simulation), stresses, simulation.failures().len())
+        };
+        let whole = run(1);
+        for parts in [2, 3, 7] {
+            assert!(run(parts) == whole, "{case} in {parts} parts gives other bits");
+        }
+    }
 }

@@ -162,15 +162,16 @@ impl RunArguments {
 
 /// Runs a deck.
 pub(super) fn main(arguments: &RunArguments) -> Exit {
-    if let Some(threads) = arguments.threads {
-        if threads == 0 {
-            warn("error: --threads needs at least 1");
-            return Exit::Usage;
-        }
-        if let Err(error) = rayon::ThreadPoolBuilder::new().num_threads(threads).build_global() {
-            warn(&format!("error: cannot start {threads} threads: {error}"));
-            return Exit::Usage;
-        }
+    if arguments.threads == Some(0) {
+        warn("error: --threads needs at least 1");
+        return Exit::Usage;
+    }
+    // this thread is one of them: it works instead of waiting for others
+    let threads = arguments.threads.unwrap_or(0);
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
+    if let Err(error) = pool.build_global() {
+        warn(&format!("error: cannot start {threads} threads: {error}"));
+        return Exit::Usage;
     }
     let (deck, scenario_monitors) = match arguments.deck_and_monitors() {
         Ok(found) => found,

@@ -6,7 +6,7 @@ use crate::{
     lanes::{Lanes, Mask, each},
 };
 
-/// Four edges, one per lane.
+/// Edges, one per lane.
 #[derive(Clone, Copy)]
 pub(super) struct Edges<L> {
     /// Area coordinates of the edges' starts and ends in the other triangle.
@@ -28,16 +28,17 @@ pub(super) struct Edges<L> {
     pub friction: L,
 }
 
-/// What four edges exert.
+/// What edges exert.
 #[derive(Clone, Copy)]
 pub(super) struct EdgeForces<L: Lanes> {
     /// Edges of which a piece lies inside; the others exert nothing.
     pub acts: L::Mask,
     /// Sliding after the step, m².
     pub sliding: L,
-    /// What is subtracted from the forces on start and end, N: of each the normal part, then the
-    /// tangential part.
-    pub subtracted: [[L; 4]; 2],
+    /// Normal force borne by start and end, by the length of the edge, N/m.
+    pub normal: [L; 2],
+    /// Tangential force borne by start and end, by the length of the edge, N/m.
+    pub tangential: [L; 2],
 }
 
 /// Integrals of the potential along the pieces inside.
@@ -58,13 +59,13 @@ impl<L: Lanes> Edges<L> {
         let (a, b) = (&self.start, &self.end);
         let (zero, tolerance) = (L::splat(0.0), L::splat(TOLERANCE));
         let (mut low, mut high) = (zero, L::splat(1.0));
-        for m in 0..3 {
+        each!(3, |m| {
             let crossing = a[m] / (a[m] - b[m]);
             let enters = a[m].lt(zero) & b[m].gt(tolerance);
             let leaves = a[m].gt(tolerance) & b[m].lt(zero);
             low = L::select(enters, low.larger(crossing), low);
             high = L::select(leaves, high.smaller(crossing), high);
-        }
+        });
         (low, high)
     }
 
@@ -76,9 +77,8 @@ impl<L: Lanes> Edges<L> {
         let (start, end) = (lowest(a, &slope, low), lowest(a, &slope, high));
         // parameters where the smallest coordinate changes; infinite where there is no such kink
         let nowhere = L::splat(f64::INFINITY);
-        let mut s = [nowhere; 3];
-        let mut p = [L::splat(0.0); 3];
-        for (kink, k, l, third) in [(0, 0, 1, 2), (1, 0, 2, 1), (2, 1, 2, 0)] {
+        let kinks = each!(3, |kink| {
+            let [k, l, third] = [[0, 1, 2], [0, 2, 1], [1, 2, 0]][kink];
             let difference = slope[k] + a[l] - b[l];
             let at_kink = (a[l] - a[k]) / difference;
             let here = at(a, &slope, k, at_kink);
@@ -86,43 +86,39 @@ impl<L: Lanes> Edges<L> {
                 & low.lt(at_kink)
                 & at_kink.lt(high)
                 & here.lt(at(a, &slope, third, at_kink));
-            s[kink] = L::select(is_kink, at_kink, nowhere);
-            p[kink] = here;
-        }
+            (L::select(is_kink, at_kink, nowhere), here)
+        });
         // the exchange sort of the scalar code; kinks that are not there move to the end
-        for (i, j) in [(0, 1), (0, 2), (1, 2)] {
-            let swap = s[i].gt(s[j]);
-            (s[i], s[j]) = (L::select(swap, s[j], s[i]), L::select(swap, s[i], s[j]));
-            (p[i], p[j]) = (L::select(swap, p[j], p[i]), L::select(swap, p[i], p[j]));
-        }
+        let [k0, k1, k2] = kinks;
+        let (k0, k1) = in_order(k0, k1);
+        let (k0, k2) = in_order(k0, k2);
+        let (k1, k2) = in_order(k1, k2);
+        let (s, p) = ([k0.0, k1.0, k2.0], [k0.1, k1.1, k2.1]);
         let has = each!(3, |k| s[k].lt(nowhere));
         // where a kink is not there, the next point is the end
         let s = each!(3, |k| s[k].smaller(high));
         let next = [s[1], s[2], high];
         let before = [low, s[0], s[1]];
         let mut last = low;
-        for k in 0..3 {
-            last = L::select(has[k], s[k], last);
-        }
+        each!(3, |k| last = L::select(has[k], s[k], last));
         let two = L::splat(2.0);
         let mut parameters = low;
         let mut points = two;
         let mut total = start * (s[0] - low) + end * (high - last);
         let mut moment =
             start * (s[0] - low) * (s[0] + two * low) + end * (high - last) * (last + two * high);
-        for k in 0..3 {
+        each!(3, |k| {
             // few edges have three kinks
-            if k == 2 && !has[k].any() {
-                break;
+            if k < 2 || has[k].any() {
+                let more = p[k] * (next[k] - before[k]);
+                let around = (s[k] - before[k]) * (before[k] + two * s[k])
+                    + (next[k] - s[k]) * (next[k] + two * s[k]);
+                total = L::select(has[k], total + more, total);
+                moment = L::select(has[k], moment + p[k] * around, moment);
+                parameters = L::select(has[k], parameters + s[k], parameters);
+                points = L::select(has[k], points + L::splat(1.0), points);
             }
-            let more = p[k] * (next[k] - before[k]);
-            let around = (s[k] - before[k]) * (before[k] + two * s[k])
-                + (next[k] - s[k]) * (next[k] + two * s[k]);
-            total = L::select(has[k], total + more, total);
-            moment = L::select(has[k], moment + p[k] * around, moment);
-            parameters = L::select(has[k], parameters + s[k], parameters);
-            points = L::select(has[k], points + L::splat(1.0), points);
-        }
+        });
         Integrals {
             is_inside: !high.le(low),
             total,
@@ -162,14 +158,10 @@ impl<L: Lanes> Edges<L> {
         let zero = L::splat(0.0);
         // no normal force carries no tangential force
         let is_zero = zero.le(total) & total.le(zero);
-        let at_ends = [at_start, at_end];
-        let subtracted = each!(2, |end| {
-            let normal = at_ends[end];
-            let tangential = L::select(is_zero, zero, tangential * normal / total);
-            [normal * nx, normal * ny, tangential * ny, -(tangential * nx)]
-        });
+        let normal = [at_start, at_end];
+        let tangential = each!(2, |end| L::select(is_zero, zero, tangential * normal[end] / total));
         let acts = integrals.is_inside;
-        EdgeForces { acts, sliding: L::select(acts, sliding, self.sliding), subtracted }
+        EdgeForces { acts, sliding, normal, tangential }
     }
 }
 
@@ -183,4 +175,13 @@ fn at<L: Lanes>(start: &[L; 3], slope: &[L; 3], m: usize, s: L) -> L {
 #[inline(always)]
 fn lowest<L: Lanes>(start: &[L; 3], slope: &[L; 3], s: L) -> L {
     at(start, slope, 0, s).smaller(at(start, slope, 1, s)).smaller(at(start, slope, 2, s))
+}
+
+/// Parameter and potential of two kinks, exchanged where the first parameter is larger.
+#[inline(always)]
+fn in_order<L: Lanes>(a: (L, L), b: (L, L)) -> ((L, L), (L, L)) {
+    let swap = a.0.gt(b.0);
+    let first = (L::select(swap, b.0, a.0), L::select(swap, b.1, a.1));
+    let second = (L::select(swap, a.0, b.0), L::select(swap, a.1, b.1));
+    (first, second)
 }

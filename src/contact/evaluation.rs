@@ -11,9 +11,8 @@ use super::{
     bodies::{Bodies, Body, Triangles},
     certain::certainly_clear,
     clearance::{Clearance, clearance},
-    edges::Edges,
+    exertion::{Exertion, Quartet},
     friction::PairTable,
-    locate::{Coordinates, locate},
     placement::Placement,
     visits::{RespitesMut, Visit},
 };
@@ -79,12 +78,17 @@ impl Step<'_> {
     }
 
     #[inline(always)]
-    fn bodies_of(&self, participants: [u32; 2]) -> [&Body; 2] {
+    pub fn bodies_of(&self, participants: [u32; 2]) -> [&Body; 2] {
         each!(2, |t| &self.bodies.bodies[participants[t] as usize])
     }
 
     #[inline(always)]
-    fn velocity(&self, node: u32) -> &[f64; 2] {
+    pub fn nodes_of(&self, participants: [u32; 2]) -> [&[u32; 3]; 2] {
+        each!(2, |t| &self.bodies.corners[participants[t] as usize])
+    }
+
+    #[inline(always)]
+    pub fn velocity(&self, node: u32) -> &[f64; 2] {
         &self.velocities[node as usize].data.0[0]
     }
 
@@ -116,34 +120,11 @@ impl Step<'_> {
     }
 }
 
-/// A couple with edges to cut.
+/// What the triangles of a couple that touches exert on each other.
 #[derive(Debug, Clone, Copy, Default)]
-struct Touch {
-    participants: [u32; 2],
-    /// Place in the chunk.
-    couple: u32,
-    /// Where its area coordinates are.
-    block: u32,
-    lane: u32,
-    /// First cut that is not its own any more.
-    end: u32,
-}
-
-/// An edge to cut: place of the couple among those that touch, and bit of the edge.
-#[derive(Debug, Clone, Copy, Default)]
-struct Cut {
-    touch: u32,
-    /// 0 to 2: edges of the target; 3 to 5: edges of the contactor.
-    bit: u32,
-}
-
-/// What an edge exerts.
-#[derive(Debug, Clone, Copy, Default)]
-struct CutForces {
-    /// What is subtracted from the forces on start and end, N: normal and tangential part.
-    subtracted: [[f64; 4]; 2],
-    /// Whether a piece of the edge lies inside.
-    acts: bool,
+pub(super) struct Touch {
+    pub participants: [u32; 2],
+    pub exertion: Exertion,
 }
 
 /// Passes of a chunk of couples. Lists keep their length from step to step; the counts tell how
@@ -153,11 +134,7 @@ struct Chunk {
     counts: Counts,
     /// Couples to be located, by their place in the chunk.
     asked: Vec<u32>,
-    /// Area coordinates of those that touch, four couples a block.
-    coordinates: Vec<Coordinates>,
     touches: Vec<Touch>,
-    cuts: Vec<Cut>,
-    forces: Vec<CutForces>,
     done: Done,
 }
 
@@ -166,7 +143,6 @@ struct Chunk {
 struct Counts {
     asked: usize,
     touches: usize,
-    cuts: usize,
 }
 
 /// The couples of a chunk.
@@ -228,15 +204,11 @@ impl Evaluator {
             self.chunks.resize_with(chunks, Chunk::default);
         }
         for chunk in &mut self.chunks[..chunks] {
-            let blocks = size.div_ceil(LANES);
-            if chunk.coordinates.len() < blocks {
-                let couples = blocks * LANES;
-                chunk.coordinates.resize(blocks, Coordinates::default());
-                // one entry more than can be, so that lists grow without branches
-                chunk.asked.resize(couples + 1, 0);
-                chunk.touches.resize(couples + 1, Touch::default());
-                chunk.cuts.resize(6 * couples + 1, Cut::default());
-                chunk.forces.resize(6 * couples, CutForces::default());
+            let couples = size.next_multiple_of(LANES);
+            if chunk.asked.len() < couples + LANES {
+                // more than there can be, so that lists grow without branches
+                chunk.asked.resize(couples + LANES, 0);
+                chunk.touches.resize(couples + LANES, Touch::default());
             }
         }
     }
@@ -249,60 +221,9 @@ impl Chunk {
 
     /// Adds the forces in the order of the couples.
     fn scatter(&self, corners: &[[u32; 3]], forces: &mut [Vec2]) {
-        let mut first = 0;
         for touch in &self.touches[..self.counts.touches] {
-            let cuts = first..touch.end as usize;
-            first = cuts.end;
-            let coordinates = &self.coordinates[touch.block as usize];
-            let nodes = each!(2, |t| &corners[touch.participants[t] as usize]);
-            let cut_forces = self.cuts[cuts.clone()].iter().zip(&self.forces[cuts]);
-            let mut own = [[[0.0; 2]; 3]; 2];
-            let mut acts = [false; 2];
-            for (cut, exerted) in cut_forces.filter(|(_, exerted)| exerted.acts) {
-                let (side, start) = SIDE_AND_EDGE[cut.bit as usize];
-                acts[side] = true;
-                for (corner, [nx, ny, tx, ty]) in
-                    [start, NEXT[start]].into_iter().zip(exerted.subtracted)
-                {
-                    let f = &mut own[side][corner];
-                    *f = [f[0] - nx - tx, f[1] - ny - ty];
-                }
-            }
-            for side in 0..2 {
-                if acts[side] {
-                    let lane = touch.lane as usize;
-                    let shares = each!(3, |e| each!(3, |i| coordinates[side][e][i][lane]));
-                    scatter_side(&own[side], &shares, nodes[side], nodes[1 - side], forces);
-                }
-            }
-        }
-    }
-}
-
-/// Side and number of the edge of a bit.
-const SIDE_AND_EDGE: [(usize, usize); 6] = [(0, 0), (0, 1), (0, 2), (1, 0), (1, 1), (1, 2)];
-/// The corner after each corner.
-const NEXT: [usize; 3] = [1, 2, 0];
-
-/// Adds the forces on the corners of a triangle and what the other bears of them, in the
-/// original's order, which matters where the two triangles share a node.
-#[inline(always)]
-fn scatter_side(
-    own: &[[f64; 2]; 3],
-    shares: &[[f64; 3]; 3],
-    nodes: &[u32; 3],
-    others: &[u32; 3],
-    forces: &mut [Vec2],
-) {
-    for i in 0..3 {
-        let force = &mut forces[nodes[i] as usize];
-        force.x += own[i][0];
-        force.y += own[i][1];
-        let force = &mut forces[others[i] as usize];
-        let share = &shares[(i + 1) % 3];
-        for m in 0..3 {
-            force.x -= own[m][0] * share[m];
-            force.y -= own[m][1] * share[m];
+            let nodes = touch.participants.map(|p| &corners[p as usize]);
+            touch.exertion.scatter(nodes, forces);
         }
     }
 }
@@ -323,8 +244,7 @@ impl Kernel for Evaluation<'_, '_> {
         self.chunk.counts = Counts::default();
         self.pass_over::<L>();
         self.chunk.done.evaluated = self.chunk.counts.asked as u64;
-        self.locate_asked::<L>();
-        self.cut_edges::<L>();
+        self.exert_asked::<L>();
     }
 }
 
@@ -374,159 +294,36 @@ impl Evaluation<'_, '_> {
         chunk.counts.asked = count;
     }
 
-    /// Locates the listed couples: lists the edges to cut, drops couples that came apart.
+    /// Evaluates the listed couples; drops those that came apart.
     #[inline(always)]
-    fn locate_asked<L: Lanes>(&mut self) {
+    fn exert_asked<L: Lanes>(&mut self) {
         let Self { chunk, step, couples } = self;
-        let (mut block, mut touches, mut cuts) = (0, 0, 0);
+        let mut touches = 0;
         for asked in chunk.asked[..chunk.counts.asked].chunks(LANES) {
             // a last block that is not full repeats its first couple
             let of_lane = each!(4, |k| asked[if k < asked.len() { k } else { 0 }] as usize);
-            let participants = each!(4, |k| couples.participants[of_lane[k]]);
-            let bodies = each!(4, |k| step.bodies_of(participants[k]));
-            let target = Triangles::<L>::new(each!(4, |k| bodies[k][0]));
-            let contactor = Triangles::new(each!(4, |k| bodies[k][1]));
-            let edges = locate(&target, &contactor, &mut chunk.coordinates[block]);
-            let touches_before = touches;
-            for lane in 0..asked.len() {
-                let (couple, edges) = (of_lane[lane], edges[lane]);
-                for bit in 0..6 {
-                    chunk.cuts[cuts] = Cut { touch: touches as u32, bit };
-                    cuts += (edges >> bit & 1) as usize;
-                }
-                chunk.touches[touches] = Touch {
-                    participants: participants[lane],
-                    couple: couple as u32,
-                    block: block as u32,
-                    lane: lane as u32,
-                    end: cuts as u32,
-                };
-                touches += usize::from(edges != 0);
-                if edges == 0 {
-                    if step.is_beyond(participants[lane]) {
-                        couples.visits[couple].is_dropped = true;
-                        chunk.done.dropped = true;
-                    } else if step.rests && couples.respites.ask[couple] <= step.evaluation {
-                        step.ask(participants[lane], &mut couples.respites, couple);
-                    }
+            let quartet = Quartet {
+                couples: of_lane,
+                participants: each!(4, |k| couples.participants[of_lane[k]]),
+                count: asked.len(),
+            };
+            let out = &mut chunk.touches[touches..].as_chunks_mut().0[0];
+            let touching = quartet.exert::<L>(step, couples.visits, out);
+            touches += touching.count_ones() as usize;
+            let mut apart = !touching & ((1 << asked.len()) - 1);
+            while apart != 0 {
+                let lane = apart.trailing_zeros() as usize;
+                apart &= apart - 1;
+                let (couple, participants) = (of_lane[lane], quartet.participants[lane]);
+                if step.is_beyond(participants) {
+                    couples.visits[couple].is_dropped = true;
+                    chunk.done.dropped = true;
+                } else if step.rests && couples.respites.ask[couple] <= step.evaluation {
+                    step.ask(participants, &mut couples.respites, couple);
                 }
             }
-            block += usize::from(touches > touches_before);
         }
-        (chunk.counts.touches, chunk.counts.cuts) = (touches, cuts);
-    }
-
-    /// Cuts the listed edges.
-    #[inline(always)]
-    fn cut_edges<L: Lanes>(&mut self) {
-        let Self { chunk, step, couples } = self;
-        let cuts = chunk.cuts[..chunk.counts.cuts].chunks(LANES);
-        let exerted = chunk.forces[..chunk.counts.cuts].chunks_mut(LANES);
-        for (cuts, exerted) in cuts.zip(exerted) {
-            // as for couples: a last block that is not full repeats its first edge
-            let sites = each!(4, |k| {
-                let cut = &cuts[if k < cuts.len() { k } else { 0 }];
-                Site::new(cut, &chunk.touches, &chunk.coordinates, step, couples.visits)
-            });
-            let forces = edges_at::<L>(&sites, step).forces(step.dt);
-            let place = each!(4, |k| (sites[k].couple, sites[k].sliding_index));
-            let acts = forces.acts.bits();
-            let sliding = forces.sliding.array();
-            let [start, end] = forces.subtracted;
-            let (start, end) = (L::transpose(start), L::transpose(end));
-            let (start, end) = (each!(4, |k| start[k].array()), each!(4, |k| end[k].array()));
-            for (lane, exerted) in exerted.iter_mut().enumerate() {
-                let (couple, index) = place[lane];
-                couples.visits[couple].sliding[index] = sliding[lane];
-                *exerted =
-                    CutForces { subtracted: [start[lane], end[lane]], acts: acts >> lane & 1 == 1 };
-            }
-        }
-    }
-}
-
-/// What is needed to cut an edge.
-#[derive(Clone, Copy)]
-struct Site<'a> {
-    /// Area coordinates of the edge's triangle in the other one, of four couples.
-    coordinates: &'a [[[f64; LANES]; 3]; 3],
-    lane: usize,
-    /// Corners at the edge's start and end.
-    ends: [usize; 2],
-    body: &'a Body,
-    /// Nodes of the triangle and of the other one.
-    nodes: [&'a [u32; 3]; 2],
-    visit: &'a Visit,
-    couple: usize,
-    sliding_index: usize,
-}
-
-impl<'a> Site<'a> {
-    #[inline(always)]
-    fn new(
-        cut: &Cut,
-        touches: &[Touch],
-        coordinates: &'a [Coordinates],
-        step: &Step<'a>,
-        visits: &'a [Visit],
-    ) -> Self {
-        let touch = &touches[cut.touch as usize];
-        let (side, start) = SIDE_AND_EDGE[cut.bit as usize];
-        let [own, other] = [touch.participants[side], touch.participants[1 - side]];
-        Self {
-            coordinates: &coordinates[touch.block as usize][side],
-            lane: touch.lane as usize,
-            ends: [start, NEXT[start]],
-            body: &step.bodies.bodies[own as usize],
-            nodes: [&step.bodies.corners[own as usize], &step.bodies.corners[other as usize]],
-            visit: &visits[touch.couple as usize],
-            couple: touch.couple as usize,
-            sliding_index: cut.bit as usize,
-        }
-    }
-
-    /// Area coordinates of an end of the edge.
-    #[inline(always)]
-    fn coordinate(&self, end: usize, e: usize) -> f64 {
-        self.coordinates[e][self.ends[end]][self.lane]
-    }
-
-    #[inline(always)]
-    fn corner(&self, end: usize) -> &[f64; 2] {
-        self.body.corner(self.ends[end])
-    }
-}
-
-/// Gathers four edges.
-#[inline(always)]
-fn edges_at<L: Lanes>(s: &[Site<'_>; LANES], step: &Step<'_>) -> Edges<L> {
-    let [start_x, start_y] = L::pairs(each!(4, |k| s[k].corner(0)));
-    let [end_x, end_y] = L::pairs(each!(4, |k| s[k].corner(1)));
-    let pairs = each!(4, |k| s[k].visit.pair);
-    let first = step.pairs.properties(pairs[0]);
-    let (penalty, tangential_penalty, friction);
-    if pairs == [pairs[0]; LANES] {
-        penalty = L::splat(first.penalty);
-        tangential_penalty = L::splat(first.tangential_penalty);
-        friction = L::splat(first.friction);
-    } else {
-        let of = each!(4, |k| step.pairs.properties(pairs[k]));
-        penalty = L::new(each!(4, |k| of[k].penalty));
-        tangential_penalty = L::new(each!(4, |k| of[k].tangential_penalty));
-        friction = L::new(each!(4, |k| of[k].friction));
-    }
-    Edges {
-        start: each!(3, |e| L::new(each!(4, |k| s[k].coordinate(0, e)))),
-        end: each!(3, |e| L::new(each!(4, |k| s[k].coordinate(1, e)))),
-        normal: [end_y - start_y, start_x - end_x],
-        velocity: each!(2, |end| L::pairs(each!(4, |k| {
-            step.velocity(s[k].nodes[0][s[k].ends[end]])
-        }))),
-        other_velocity: each!(3, |i| L::pairs(each!(4, |k| step.velocity(s[k].nodes[1][i])))),
-        sliding: L::new(each!(4, |k| s[k].visit.sliding[s[k].sliding_index])),
-        penalty,
-        tangential_penalty,
-        friction,
+        chunk.counts.touches = touches;
     }
 }
 

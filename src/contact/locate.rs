@@ -4,23 +4,25 @@
 use super::bodies::Triangles;
 use crate::{
     TOLERANCE,
-    lanes::{LANES, Lanes, Mask},
+    lanes::{Lanes, each},
 };
 
 /// Area coordinates of four couples: `[t][e][i]` of corner `i` of triangle `t` relative to edge
 /// `e` of the other, one couple per lane.
-pub(super) type Coordinates = [[[[f64; LANES]; 3]; 3]; 2];
+pub(super) type Coordinates<L> = [[[L; 3]; 3]; 2];
 
-/// Writes the area coordinates of four couples. The result has for each lane the edges that have
-/// to be cut: bits 0 to 2 those of the target, 3 to 5 those of the contactor.
+/// Edges of four couples: `[t][i]` edge `i` of triangle `t`.
+pub(super) type EdgeMasks<L> = [[<L as Lanes>::Mask; 3]; 2];
+
+/// Area coordinates of four couples, and which edges have to be cut.
 #[inline(always)]
 pub(super) fn locate<L: Lanes>(
     target: &Triangles<L>,
     contactor: &Triangles<L>,
-    coordinates: &mut Coordinates,
-) -> [u32; LANES] {
+) -> (Coordinates<L>, EdgeMasks<L>) {
     let couple = [target, contactor];
     let (tolerance, minus) = (L::splat(TOLERANCE), L::splat(-TOLERANCE));
+    let mut coordinates = [[[tolerance; 3]; 3]; 2];
     let never = tolerance.lt(minus);
     let mut outside = [[never; 3]; 2];
     let mut off_line = [[never; 3]; 2];
@@ -33,7 +35,7 @@ pub(super) fn locate<L: Lanes>(
             for i in 0..3 {
                 let twice_area = (other.x[e] - own.x[i]) * nx + (other.y[e] - own.y[i]) * ny;
                 let coordinate = twice_area / other.double_area;
-                coordinate.store(&mut coordinates[t][e][i]);
+                coordinates[t][e][i] = coordinate;
                 below[i] = coordinate.lt(tolerance);
                 above[i] = coordinate.gt(minus);
             }
@@ -43,14 +45,6 @@ pub(super) fn locate<L: Lanes>(
             off_line[1 - t][e] = below[0] & below[1] & below[2] | above[0] & above[1] & above[2];
         }
     }
-    let mut cut = [0; LANES];
-    for t in 0..2 {
-        for i in 0..3 {
-            let clear = (outside[t][i] | off_line[t][i]).bits();
-            for (lane, cut) in cut.iter_mut().enumerate() {
-                *cut |= (!clear >> lane & 1) << (3 * t + i);
-            }
-        }
-    }
-    cut
+    let cut = each!(2, |t| each!(3, |i| !(outside[t][i] | off_line[t][i])));
+    (coordinates, cut)
 }

@@ -9,6 +9,7 @@ mod couples;
 mod detection;
 mod edges;
 mod evaluation;
+mod exertion;
 mod friction;
 mod in_order;
 mod interaction;

@@ -103,6 +103,49 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn sqrt(self) -> Self {
+        // SAFETY: the machine has AVX2, see the module
+        Self(unsafe { _mm256_sqrt_pd(self.0) })
+    }
+
+    #[inline(always)]
+    fn abs(self) -> Self {
+        // SAFETY: the machine has AVX2, see the module
+        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
+    }
+
+    #[inline(always)]
+    fn lt(self, other: Self) -> Avx2Mask {
+        // SAFETY: the machine has AVX2, see the module
+        Avx2Mask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn le(self, other: Self) -> Avx2Mask {
+        // SAFETY: the machine has AVX2, see the module
+        Avx2Mask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
+    }
+
+    #[inline(always)]
+    fn smaller(self, other: Self) -> Self {
+        // SAFETY: the machine has AVX2, see the module. The instruction gives its second
+        // operand where the first is not smaller or does not compare.
+        Self(unsafe { _mm256_min_pd(other.0, self.0) })
+    }
+
+    #[inline(always)]
+    fn larger(self, other: Self) -> Self {
+        // SAFETY: the machine has AVX2, see the module; as for `smaller`
+        Self(unsafe { _mm256_max_pd(other.0, self.0) })
+    }
+
+    #[inline(always)]
+    fn select(mask: Avx2Mask, yes: Self, no: Self) -> Self {
+        // SAFETY: the machine has AVX2, see the module
+        Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
+    }
+
+    #[inline(always)]
     fn new([a, b, c, d]: [f64; LANES]) -> Self {
         // SAFETY: the machine has AVX2, see the module
         Self(unsafe { _mm256_setr_pd(a, b, c, d) })
@@ -172,48 +215,5 @@ impl Lanes for Avx2 {
             _mm_storeu_pd(pairs[3].as_mut_ptr(), _mm256_extractf128_pd::<1>(odd));
         }
         pairs
-    }
-
-    #[inline(always)]
-    fn sqrt(self) -> Self {
-        // SAFETY: the machine has AVX2, see the module
-        Self(unsafe { _mm256_sqrt_pd(self.0) })
-    }
-
-    #[inline(always)]
-    fn abs(self) -> Self {
-        // SAFETY: the machine has AVX2, see the module
-        Self(unsafe { _mm256_andnot_pd(_mm256_set1_pd(-0.0), self.0) })
-    }
-
-    #[inline(always)]
-    fn lt(self, other: Self) -> Avx2Mask {
-        // SAFETY: the machine has AVX2, see the module
-        Avx2Mask(unsafe { _mm256_cmp_pd::<_CMP_LT_OQ>(self.0, other.0) })
-    }
-
-    #[inline(always)]
-    fn le(self, other: Self) -> Avx2Mask {
-        // SAFETY: the machine has AVX2, see the module
-        Avx2Mask(unsafe { _mm256_cmp_pd::<_CMP_LE_OQ>(self.0, other.0) })
-    }
-
-    #[inline(always)]
-    fn smaller(self, other: Self) -> Self {
-        // SAFETY: the machine has AVX2, see the module. The instruction gives its second
-        // operand where the first is not smaller or does not compare.
-        Self(unsafe { _mm256_min_pd(other.0, self.0) })
-    }
-
-    #[inline(always)]
-    fn larger(self, other: Self) -> Self {
-        // SAFETY: the machine has AVX2, see the module; as for `smaller`
-        Self(unsafe { _mm256_max_pd(other.0, self.0) })
-    }
-
-    #[inline(always)]
-    fn select(mask: Avx2Mask, yes: Self, no: Self) -> Self {
-        // SAFETY: the machine has AVX2, see the module
-        Self(unsafe { _mm256_blendv_pd(no.0, yes.0, mask.0) })
     }
 }

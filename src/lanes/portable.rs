@@ -93,41 +93,6 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
-    fn new(values: [f64; LANES]) -> Self {
-        Self(values)
-    }
-
-    #[inline(always)]
-    fn array(self) -> [f64; LANES] {
-        self.0
-    }
-
-    #[inline(always)]
-    fn load(values: &[f64; LANES]) -> Self {
-        Self(*values)
-    }
-
-    #[inline(always)]
-    fn store(self, values: &mut [f64; LANES]) {
-        *values = self.0;
-    }
-
-    #[inline(always)]
-    fn pairs(pairs: [&[f64; 2]; LANES]) -> [Self; 2] {
-        [0, 1].map(|k| Self(pairs.map(|pair| pair[k])))
-    }
-
-    #[inline(always)]
-    fn transpose(rows: [Self; LANES]) -> [Self; LANES] {
-        std::array::from_fn(|k| Self(rows.map(|row| row.0[k])))
-    }
-
-    #[inline(always)]
-    fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES] {
-        std::array::from_fn(|i| [x.0[i], y.0[i]])
-    }
-
-    #[inline(always)]
     fn sqrt(self) -> Self {
         Self(self.0.map(f64::sqrt))
     }
@@ -160,5 +125,40 @@ impl Lanes for Portable {
     #[inline(always)]
     fn select(mask: PortableMask, yes: Self, no: Self) -> Self {
         Self(std::array::from_fn(|i| if mask.0[i] { yes.0[i] } else { no.0[i] }))
+    }
+
+    #[inline(always)]
+    fn new(values: [f64; LANES]) -> Self {
+        Self(values)
+    }
+
+    #[inline(always)]
+    fn array(self) -> [f64; LANES] {
+        self.0
+    }
+
+    #[inline(always)]
+    fn load(values: &[f64; LANES]) -> Self {
+        Self(*values)
+    }
+
+    #[inline(always)]
+    fn store(self, values: &mut [f64; LANES]) {
+        *values = self.0;
+    }
+
+    #[inline(always)]
+    fn pairs(pairs: [&[f64; 2]; LANES]) -> [Self; 2] {
+        [0, 1].map(|k| Self(pairs.map(|pair| pair[k])))
+    }
+
+    #[inline(always)]
+    fn transpose(rows: [Self; LANES]) -> [Self; LANES] {
+        std::array::from_fn(|k| Self(rows.map(|row| row.0[k])))
+    }
+
+    #[inline(always)]
+    fn unpair(x: Self, y: Self) -> [[f64; 2]; LANES] {
+        std::array::from_fn(|i| [x.0[i], y.0[i]])
     }
 }

@@ -7,6 +7,7 @@
 
 pub mod classic;
 mod geometry;
+pub mod intact;
 mod separation;
 
 use super::Vec2;

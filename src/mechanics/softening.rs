@@ -21,7 +21,7 @@ pub fn remaining_strength(damage: f64) -> f64 {
 
 /// The curve at zero damage: `exp(0)` and `1⁶` are exactly 1, so that intact
 /// joints need neither exponential nor power and keep their bits.
-const INTACT: f64 = (1.0 - (A + B - 1.0) / (A + B)) * (A + B);
+pub(crate) const INTACT: f64 = (1.0 - (A + B - 1.0) / (A + B)) * (A + B);
 
 #[inline]
 fn soften(damage: f64) -> f64 {

@@ -5,6 +5,8 @@
 //! the Cauchy stress is T = (μ/J)(B − I) + (λ/2)(J − 1/J) I + η D: plane
 //! strain with unit thickness, one stress per element.
 
+pub mod lanes;
+
 use super::Vec2;
 use nalgebra::Matrix2;
 

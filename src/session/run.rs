@@ -13,7 +13,7 @@ use crate::{
         MonitorPlan, OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER, table_row,
     },
     scene::Profile,
-    simulation::Simulation,
+    simulation::{Simulation, StressUse},
 };
 use std::{
     io::Write as _,
@@ -207,6 +207,7 @@ impl Session<'_> {
         if self.options.monitors.needs_contact_forces() {
             simulation.watch_contact_forces();
         }
+        simulation.keep_stresses(StressUse::OutputSteps);
         let outcome = (|| {
             // a run that goes on from a checkpoint has entered this many already
             let entered = self.here.ends.len();

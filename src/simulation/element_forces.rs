@@ -1,123 +1,70 @@
 use super::{
-    Simulation,
-    extra_loads::{ExtraLoads, LoadedTriangle},
-    plan::{Batch, PlannedTriangle},
+    Simulation, StressUse,
+    plan::{Batch, ForcePhase},
 };
 use crate::{
     mechanics::{
-        Vec2,
         softening_triangle::{self, largest_stretch, soften},
         triangle::{self, Kinematics},
     },
-    scene::{ElementKind, Nodes},
+    scene::{CohesiveModel, ElementKind},
 };
-use multiversion::multiversion;
-use nalgebra::Matrix2;
-use rayon::prelude::*;
-
-/// From so many triangles of a material on, threads pay (measured,
-/// `docs/src/performance.md`).
-const PARALLEL_FROM: usize = 16_384;
-/// Least number of triangles that a thread takes at a time.
-const GRAIN: usize = 512;
-
-/// Stress and internal nodal forces of a triangle.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct TriangleResponse {
-    stress: Matrix2<f64>,
-    forces: [Vec2; 3],
-}
-
-impl TriangleResponse {
-    #[inline(always)]
-    fn of_elastic(batch: &Batch, planned: &PlannedTriangle, nodes: &Nodes<2>) -> Self {
-        let [a, b, c] = planned.corners;
-        let at = |values: &[Vec2]| [values[a as usize], values[b as usize], values[c as usize]];
-        let corners = at(&nodes.current);
-        let stress =
-            triangle::cauchy_stress(&batch.law, &planned.reference, &corners, &at(&nodes.velocity));
-        Self { stress, forces: triangle::nodal_forces(&stress, &corners) }
-    }
-}
 
 impl Simulation {
-    /// Stresses and internal forces of the triangles of a batch, elements
-    /// ascending, nodes of an element in turn, the loads of the opposite edge
-    /// right after each node.
-    ///
-    /// Responses may come from any thread; they are added in this order, so
-    /// that sums round the same on any number of threads.
-    pub(super) fn add_triangle_forces(&mut self, batch: usize) {
-        let batches = std::mem::take(&mut self.plan.batches);
-        let mut force = std::mem::take(&mut self.force);
-        let batch = &batches[batch];
-        if batch.kind == ElementKind::ElasticTriangle {
-            self.add_elastic(batch, &mut force);
-        } else {
-            self.add_softening(batch, &mut force);
+    /// Internal forces of all elements in the plan's order: as much in one go as the domains
+    /// of the mesh can do.
+    pub(super) fn add_internal_forces(&mut self) {
+        let mut next = 0;
+        while next < self.plan.forces.len() {
+            let end = next + self.domains.reach(&self.plan, next);
+            if end > next {
+                self.add_forces_of(next..end);
+                next = end;
+                continue;
+            }
+            match self.plan.forces[next] {
+                ForcePhase::Triangles(batch) => self.add_triangle_forces(next, batch),
+                ForcePhase::Joints => self.add_joint_forces(),
+                ForcePhase::EveryJoint(law) => self.add_classic_joint_forces(law),
+                ForcePhase::LoadStep(set) => {
+                    self.edge_factors[set] += self.scene.node_sets[set].edge_factor_step;
+                }
+            }
+            next += 1;
         }
-        self.force = force;
+    }
+
+    /// Whether the stresses of this step have to be kept: for output, for histories, or for
+    /// what the classic dialect makes of the stresses beside its fractures, those of the
+    /// previous step among them.
+    pub(super) fn needs_stress(&self) -> bool {
+        let scene = &self.scene;
+        self.stress_use == StressUse::EveryStep
+            || scene.conventions.cohesive == CohesiveModel::Classic
+            || !self.plan.probes.is_empty()
+            // joints that break in this step may make output due
+            || scene.control.refined_output.is_some()
+            || self.is_output_step()
+    }
+
+    /// Forces of the triangles of a batch after which the mesh may have changed.
+    fn add_triangle_forces(&mut self, phase: usize, batch: usize) {
+        if self.plan.batches[batch].kind == ElementKind::ElasticTriangle {
+            self.add_forces_of(phase..phase + 1);
+        }
+        let batches = std::mem::take(&mut self.plan.batches);
+        let batch = &batches[batch];
+        if batch.kind == ElementKind::SofteningTriangle {
+            self.add_softening(batch);
+        }
         if self.scene.materials[batch.material].is_excavated {
             self.remove_from_play(batch);
         }
         self.plan.batches = batches;
     }
 
-    fn add_elastic(&mut self, batch: &Batch, force: &mut [Vec2]) {
-        if batch.triangles.len() >= PARALLEL_FROM && rayon::current_num_threads() > 1 {
-            let mut responses = std::mem::take(&mut self.responses);
-            responses.resize(batch.triangles.len(), TriangleResponse::default());
-            let nodes = &self.scene.nodes;
-            let (planned, out) = (&batch.triangles, &mut responses);
-            planned.par_iter().zip(out).with_min_len(GRAIN).for_each(|(planned, out)| {
-                *out = TriangleResponse::of_elastic(batch, planned, nodes);
-            });
-            for (planned, response) in batch.triangles.iter().zip(&responses) {
-                self.add_response(batch, planned, response, force);
-            }
-            self.responses = responses;
-        } else {
-            add_elastic_serially(self, batch, force);
-        }
-    }
-
-    #[inline(always)]
-    fn add_response(
-        &mut self,
-        batch: &Batch,
-        planned: &PlannedTriangle,
-        response: &TriangleResponse,
-        force: &mut [Vec2],
-    ) {
-        self.stress[planned.element as usize] = response.stress;
-        if planned.has_extras {
-            self.add_loaded_response(batch, planned, response, force);
-        } else {
-            for (&node, internal) in planned.corners.iter().zip(&response.forces) {
-                force[node as usize] += internal;
-            }
-        }
-    }
-
-    #[cold]
-    #[inline(never)]
-    fn add_loaded_response(
-        &self,
-        batch: &Batch,
-        planned: &PlannedTriangle,
-        response: &TriangleResponse,
-        force: &mut [Vec2],
-    ) {
-        let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
-        let triangle = LoadedTriangle::new(&self.scene, batch, &planned.corners, &corners);
-        let loads = ExtraLoads::new(&self.scene, &self.edge_factors, self.time);
-        for i in 0..3 {
-            force[planned.corners[i] as usize] += response.forces[i];
-            loads.apply(i, &triangle, force);
-        }
-    }
-
-    fn add_softening(&mut self, batch: &Batch, force: &mut [Vec2]) {
+    /// Stresses and forces of softening triangles, and their masses, elements ascending.
+    fn add_softening(&mut self, batch: &Batch) {
         let material = &self.scene.materials[batch.material];
         let nodes = &self.scene.nodes;
         for planned in &batch.triangles {
@@ -144,18 +91,8 @@ impl Simulation {
                 softening.mass_factor * material.density * planned.reference.double_area / 6.0;
             for (&node, internal) in planned.corners.iter().zip(&internal) {
                 self.mass[node as usize] += mass;
-                force[node as usize] += internal;
+                self.force[node as usize] += internal;
             }
         }
-    }
-}
-
-/// Compiled for several instruction sets and chosen at run time; all give the
-/// same bits, because nothing is fused or reassociated.
-#[multiversion(targets("x86_64+avx2+bmi1+bmi2+lzcnt", "x86_64+avx"))]
-fn add_elastic_serially(simulation: &mut Simulation, batch: &Batch, force: &mut [Vec2]) {
-    for planned in &batch.triangles {
-        let response = TriangleResponse::of_elastic(batch, planned, &simulation.scene.nodes);
-        simulation.add_response(batch, planned, &response, force);
     }
 }

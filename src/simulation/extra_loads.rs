@@ -58,17 +58,18 @@ impl<'a> ExtraLoads<'a> {
     }
 
     /// What comes right after the stress at local node `i`: the stress in situ,
-    /// then the loads of the opposite edge.
-    pub fn apply(&self, i: usize, triangle: &LoadedTriangle<'_>, force: &mut [Vec2]) {
+    /// then the loads of the opposite edge. `force` is that of the triangle's nodes.
+    pub fn apply(&self, i: usize, triangle: &LoadedTriangle<'_>, force: &mut [Vec2; 3]) {
         let normal = opposite_normal(triangle.corners, i);
         if let Some(stress) = &triangle.in_situ {
-            let at = &mut force[triangle.nodes[i] as usize];
+            let at = &mut force[i];
             at.x += (stress[(0, 0)] * normal.x + stress[(0, 1)] * normal.y) / 2.0;
             at.y += (stress[(1, 0)] * normal.x + stress[(1, 1)] * normal.y) / 2.0;
         }
-        let ends = [1, 2].map(|k| triangle.nodes[(i + k) % 3] as usize);
+        let [from, to] = [1, 2].map(|k| (i + k) % 3);
+        let ends = [from, to].map(|k| triangle.nodes[k] as usize);
         let [Some(a), Some(b)] = ends.map(|n| self.set(n)) else { return };
-        let [mut at_from, mut at_to] = ends.map(|n| force[n]);
+        let [mut at_from, mut at_to] = [force[from], force[to]];
         let sets = [&self.scene.node_sets[a], &self.scene.node_sets[b]];
         let factor = [self.factor(a), self.factor(b)];
         for (load, apply) in [
@@ -83,7 +84,7 @@ impl<'a> ExtraLoads<'a> {
         let material = &self.scene.materials[triangle.batch.material];
         let velocities = ends.map(|n| self.scene.nodes.velocity[n]);
         absorb(material, sets, velocities, normal, [&mut at_from, &mut at_to]);
-        (force[ends[0]], force[ends[1]]) = (at_from, at_to);
+        (force[from], force[to]) = (at_from, at_to);
     }
 
     fn set(&self, node: usize) -> Option<usize> {

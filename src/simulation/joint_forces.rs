@@ -27,7 +27,7 @@ pub(super) struct EvaluatedJoint {
 }
 
 impl Simulation {
-    /// Forces of all live joints, joint sets ascending, elements ascending.
+    /// Forces of all live joints that no domains hold, joint sets ascending, elements ascending.
     /// A joint that fails still acts in this step.
     ///
     /// Responses may come from any thread; they are added in this order.
@@ -137,6 +137,14 @@ impl Simulation {
                 joint2::state::<SplitRules>(law, &corners, strength).mode
             }
         }
+    }
+
+    /// Records a joint that has failed at a point, once its strength is that of this step
+    /// (split dialect).
+    pub(super) fn record_broken(&mut self, joint: &PlannedJoint, point: usize) {
+        let strength = self.strength[joint.element as usize];
+        let mode = self.failure_mode(joint, strength, point);
+        self.record_failure(joint, mode);
     }
 
     fn record_failure(&mut self, joint: &PlannedJoint, mode: f64) {

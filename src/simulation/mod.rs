@@ -5,12 +5,15 @@
 
 mod classic_joints;
 mod contact_step;
+mod disjoint;
+mod domains;
 mod element_forces;
 mod emission;
 mod excavation;
 mod extra_loads;
 mod fracture;
 mod fracture_lines;
+mod free_motion;
 mod joint_forces;
 mod joint_records;
 mod motion;
@@ -26,10 +29,11 @@ use crate::{
     mechanics::Vec2,
     scene::{CohesiveModel, ContactSum, Scene},
 };
-use element_forces::TriangleResponse;
+use domains::Domains;
 use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
-use plan::{ForcePhase, Plan};
+use plan::Plan;
+use rayon::prelude::*;
 
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
@@ -50,6 +54,16 @@ impl Default for SolverOptions {
     }
 }
 
+/// In which steps [`Simulation::stresses`] are wanted.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum StressUse {
+    /// In every step.
+    #[default]
+    EveryStep,
+    /// In those in which output is due.
+    OutputSteps,
+}
+
 /// A scene in motion.
 #[derive(Debug, Clone)]
 pub struct Simulation {
@@ -63,8 +77,9 @@ pub struct Simulation {
     force: Vec<Vec2>,
     /// Nodal masses, kg.
     mass: Vec<f64>,
-    /// Cauchy stress of each element, Pa.
+    /// Cauchy stress of each element, Pa, in the last step that needed it.
     stress: Vec<Matrix2<f64>>,
+    stress_use: StressUse,
     /// Shear strength of joints and shrink ratio of softening triangles.
     strength: Vec<f64>,
     /// Contact forces, where they are summed apart (classic), N.
@@ -88,8 +103,10 @@ pub struct Simulation {
     probe_times: Vec<f64>,
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
-    /// Buffers of the threads' responses, reused from step to step.
-    responses: Vec<TriangleResponse>,
+    /// Parts of the mesh for the threads, and their number if somebody wants a certain one.
+    domains: Domains,
+    parts: Option<usize>,
+    /// Buffer of the threads' responses, reused from step to step.
     evaluated_joints: Vec<EvaluatedJoint>,
     insertion_report: Option<InsertionReport>,
     failures: Vec<JointFailure>,
@@ -119,6 +136,7 @@ impl Simulation {
             force: Vec::new(),
             mass: Vec::new(),
             stress: Vec::new(),
+            stress_use: StressUse::default(),
             strength: Vec::new(),
             contact_force: Vec::new(),
             watches_contact: false,
@@ -128,7 +146,8 @@ impl Simulation {
             classic: ClassicJoints::default(),
             tally: Tally::default(),
             kinetic_energy: 0.0,
-            responses: Vec::new(),
+            domains: Domains::default(),
+            parts: None,
             evaluated_joints: Vec::new(),
             insertion_report: None,
             failures: Vec::new(),
@@ -216,16 +235,7 @@ impl Simulation {
     /// contact forces.
     pub fn evaluate_forces(&mut self) {
         self.clear_forces();
-        for phase in 0..self.plan.forces.len() {
-            match self.plan.forces[phase] {
-                ForcePhase::Triangles(batch) => self.add_triangle_forces(batch),
-                ForcePhase::Joints => self.add_joint_forces(),
-                ForcePhase::EveryJoint(law) => self.add_classic_joint_forces(law),
-                ForcePhase::LoadStep(set) => {
-                    self.edge_factors[set] += self.scene.node_sets[set].edge_factor_step;
-                }
-            }
-        }
+        self.add_internal_forces();
         self.record_element_probes();
         self.add_contact_forces();
         self.record_nodal_forces();
@@ -272,14 +282,27 @@ impl Simulation {
         if let Some(contact) = &mut self.contact {
             contact.rebuild(&self.scene);
         }
+        self.divide();
     }
 
     fn clear_forces(&mut self) {
-        self.force.fill(Vec2::zeros());
+        clear(&mut self.force);
         self.yielded_now.clear();
         self.contact_force.fill(Vec2::zeros());
         if self.plan.masses_change {
             self.mass.copy_from_slice(&self.plan.nodal_mass);
         }
+    }
+}
+
+/// From so many nodes on, threads pay for what touches each node once.
+const PARALLEL_FROM: usize = 65_536;
+
+fn clear(forces: &mut [Vec2]) {
+    if forces.len() < PARALLEL_FROM || rayon::current_num_threads() == 1 {
+        forces.fill(Vec2::zeros());
+    } else {
+        let part = forces.len().div_ceil(rayon::current_num_threads());
+        forces.par_chunks_mut(part).for_each(|part| part.fill(Vec2::zeros()));
     }
 }

@@ -1,7 +1,4 @@
-use super::{
-    Simulation,
-    plan::{MotionPhase, PlannedNode},
-};
+use super::{Simulation, free_motion::Free, plan::MotionPhase};
 use crate::{
     TOLERANCE,
     mechanics::{Vec2, rigid_triangle, triangle},
@@ -38,17 +35,6 @@ impl Drive {
         self.frame.is_none() && self.conditions == [Condition::Force; 2]
     }
 
-    /// Velocity at the end of the step of a node for which [`Self::is_free`] holds.
-    #[inline]
-    fn free_velocity(&self, velocity: Vec2, force: Vec2, mass: f64) -> Vec2 {
-        let [ax, ay] = self.amplitudes;
-        let fy = force.y + self.gravity * mass;
-        Vec2::new(
-            velocity.x + (ax + force.x) / mass * self.dt,
-            velocity.y + (ay + fy) / mass * self.dt,
-        )
-    }
-
     /// Velocity at the end of the step.
     #[inline]
     fn velocity(&self, velocity: Vec2, force: Vec2, mass: f64) -> Vec2 {
@@ -77,24 +63,20 @@ impl Drive {
     }
 }
 
-/// Moves the nodes of a set with the velocity that `drive` makes of velocity,
-/// force and mass. Nodes without mass stay.
-#[inline]
+/// Moves the nodes of some runs that have mass as `drive` says.
 fn integrate(
-    of_set: &[PlannedNode],
+    runs: &[Range<u32>],
     nodes: &mut Nodes<2>,
     masses: &[f64],
     forces: &[Vec2],
-    dt: f64,
-    drive: impl Fn(Vec2, Vec2, f64) -> Vec2,
+    drive: &Drive,
 ) {
-    for planned in of_set {
-        let n = planned.node as usize;
+    for n in runs.iter().flat_map(|run| run.start as usize..run.end as usize) {
         let mass = masses[n];
         if mass > TOLERANCE {
-            let velocity = drive(nodes.velocity[n], forces[n], mass);
+            let velocity = drive.velocity(nodes.velocity[n], forces[n], mass);
             nodes.velocity[n] = velocity;
-            nodes.current[n] += velocity * dt;
+            nodes.current[n] += velocity * drive.dt;
         }
     }
 }
@@ -109,25 +91,23 @@ impl Simulation {
     pub(super) fn integrate(&mut self) {
         for phase in 0..self.plan.motions.len() {
             match self.plan.motions[phase].clone() {
-                MotionPhase::Nodes(range) => self.move_nodes(range),
+                MotionPhase::Nodes { set, runs } => self.move_nodes(set, runs),
                 MotionPhase::Rigid(range) => self.move_rigid_triangles(range),
             }
         }
     }
 
     /// Moves the nodes of one set that have mass (spec `y2d3d.md` F.1).
-    fn move_nodes(&mut self, range: Range<usize>) {
+    fn move_nodes(&mut self, set: usize, runs: Range<usize>) {
         let control = &self.scene.control;
         let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
-        let of_set = &self.plan.nodes[range];
-        let index = of_set[0].set as usize;
+        let runs = &self.plan.node_runs[runs];
         let ramp = self.scene.ramp.map_or(1.0, |ramp| ramp.factor(time));
         let history = self.scene.load_history.as_ref().filter(|h| h.is_active());
-        let factor = history.map_or(ramp, |h| h.factor(index, time));
-        let drive = Drive::new(&self.scene.node_sets[index], factor, gravity, dt);
+        let factor = history.map_or(ramp, |h| h.factor(set, time));
+        let drive = Drive::new(&self.scene.node_sets[set], factor, gravity, dt);
         if !self.contact_force.is_empty() {
-            for planned in of_set {
-                let n = planned.node as usize;
+            for n in runs.iter().flat_map(|run| run.start as usize..run.end as usize) {
                 if self.mass[n] > TOLERANCE {
                     self.force[n] += self.contact_force[n];
                 }
@@ -135,13 +115,12 @@ impl Simulation {
         }
         let nodes = &mut self.scene.nodes;
         if drive.is_free() {
-            integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
-                drive.free_velocity(v, f, m)
-            });
+            let free = Free { amplitudes: drive.amplitudes, gravity, dt };
+            for run in runs {
+                free.advance(run, nodes, &self.mass, &self.force);
+            }
         } else {
-            integrate(of_set, nodes, &self.mass, &self.force, dt, |v, f, m| {
-                drive.velocity(v, f, m)
-            });
+            integrate(runs, nodes, &self.mass, &self.force, &drive);
         }
     }
 

@@ -49,13 +49,6 @@ pub(super) struct PlannedRigid {
     pub corners: [u32; 3],
 }
 
-/// A node that moves.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct PlannedNode {
-    pub node: u32,
-    pub set: u32,
-}
-
 /// A probe and the triangle that it lies in.
 #[derive(Debug, Clone)]
 pub(super) struct PlannedProbe {
@@ -79,8 +72,8 @@ pub(super) enum ForcePhase {
 /// A part of the motion, in order.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) enum MotionPhase {
-    /// Nodes of one set.
-    Nodes(Range<usize>),
+    /// Nodes of one set, as runs of numbers.
+    Nodes { set: usize, runs: Range<usize> },
     /// Rigid triangles of one material.
     Rigid(Range<usize>),
 }
@@ -95,8 +88,8 @@ pub(super) struct Plan {
     pub rigid: Vec<PlannedRigid>,
     /// Joint sets ascending, elements ascending within.
     pub joints: Vec<PlannedJoint>,
-    /// Node sets ascending, nodes ascending within.
-    pub nodes: Vec<PlannedNode>,
+    /// Nodes that follow each other and move: sets ascending, nodes ascending within.
+    pub node_runs: Vec<Range<u32>>,
     pub probes: Vec<PlannedProbe>,
     /// Nodes at the place of a force probe.
     pub force_probes: Vec<(usize, u32)>,
@@ -166,11 +159,17 @@ impl Plan {
         if !node_set.moves {
             return;
         }
-        let start = self.nodes.len();
+        let start = self.node_runs.len();
         let members = (0..scene.nodes.len()).filter(|&n| scene.nodes.set[n] == set as i32);
-        self.nodes.extend(members.map(|n| PlannedNode { node: n as u32, set: set as u32 }));
-        if self.nodes.len() > start {
-            self.motions.push(MotionPhase::Nodes(start..self.nodes.len()));
+        for node in members.map(|n| n as u32) {
+            match self.node_runs[start..].last_mut() {
+                Some(run) if run.end == node => run.end += 1,
+                _ => self.node_runs.push(node..node + 1),
+            }
+        }
+        let runs = start..self.node_runs.len();
+        if !runs.is_empty() {
+            self.motions.push(MotionPhase::Nodes { set, runs });
         }
     }
 

@@ -83,10 +83,12 @@ impl Simulation {
             probe_values,
             probe_times,
             kinetic_energy,
+            stress_use: _,
             // made anew in every step
             watches_contact: _,
             contact_share: _,
-            responses: _,
+            domains: _,
+            parts: _,
             evaluated_joints: _,
             insertion_report,
             failures,
@@ -146,6 +148,7 @@ impl Simulation {
         if let (Some(contact), Some(state)) = (&mut self.contact, state.contact) {
             contact.restore(state, &self.scene).map_err(StateFault)?;
         }
+        self.divide();
         Ok(())
     }
 }

@@ -1,6 +1,6 @@
 //! What output reads of a simulation.
 
-use super::{Simulation, plan::stress_law};
+use super::{Simulation, StressUse, plan::stress_law};
 use crate::{
     contact::{CoupleWork, Tally},
     insertion::InsertionReport,
@@ -66,7 +66,13 @@ impl Simulation {
         self.strength.get(element).copied().unwrap_or(0.0)
     }
 
-    /// Cauchy stresses of the last evaluation, one per element, Pa.
+    /// From now on [`Self::stresses`] are up to date only in the steps that `stress_use` names.
+    pub fn keep_stresses(&mut self, stress_use: StressUse) {
+        self.stress_use = stress_use;
+    }
+
+    /// Cauchy stresses of the last evaluation, one per element, Pa, if
+    /// [`Self::keep_stresses`] has not said that nobody wants to know.
     #[must_use]
     pub fn stresses(&self) -> &[Matrix2<f64>] {
         &self.stress
