@@ -6,7 +6,7 @@ use ypsilon::meshing::Scenario;
 use ypsilon_post::{
     field::Field,
     plot::{ContourOptions, Curve, CurveOptions, Range, contour, curves},
-    results::{Frame, FrameChoice, JointState},
+    results::{Frame, FrameChoice, Joint, JointState},
 };
 
 /// The case.
@@ -53,7 +53,7 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut soft = scenario("scenario.toml")?;
     if let Some(wall) = &mut soft.wall {
         wall.mortar.penalty_pa /= 4.0;
-        wall.shear_way_m = 0.002;
+        wall.shear_way_m = 0.001;
     }
     let soft = Pushed::of(bench, soft, "softer-mortar")?;
     findings.extend(printed_findings(&printed));
@@ -62,7 +62,12 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
     findings.extend(tresca);
     let mut results = bonded.run.results()?;
     let last = results.frame(results.index_of(FrameChoice::Last)?)?;
-    findings.push(crack(&last));
+    findings.push(crack(&at_yield, "joints open by 0.1 mm at 1.5 mm, p_f as printed", |joint| {
+        joint.opening.is_some_and(|opening| opening > SEEN)
+    }));
+    findings.push(crack(&last, "broken joints at the end, p_f = 9.02 GPa", |joint| {
+        joint.state == JointState::Broken
+    }));
     let pictures = pictures(bench, &at_yield, &last, [&printed, &bonded, &soft])?;
     Ok(Outcome { findings, pictures })
 }
@@ -135,10 +140,10 @@ fn bonded_findings(run: &Pushed, soft: &Pushed) -> Vec<Finding> {
              grows faster than in the test.",
         ),
         Finding::told(
-            "largest force up to 1.95 mm with a quarter of the mortar's penalty",
+            "largest force up to 0.95 mm with a quarter of the mortar's penalty",
             "kN",
-            kilonewtons(run.largest(1.95e-3)),
-            kilonewtons(soft.largest(1.95e-3)),
+            kilonewtons(run.largest(0.95e-3)),
+            kilonewtons(soft.largest(0.95e-3)),
             "sensitivity: expected is the value with the full penalty",
         ),
         Finding::told(
@@ -232,27 +237,30 @@ fn diagonal(frame: &Frame, middles: &[[f64; 2]]) -> Finding {
     )
 }
 
-/// The crack steps along the diagonal.
-fn crack(frame: &Frame) -> Finding {
-    let broken: Vec<[f64; 2]> = frame
+/// Opening of a joint that can be seen in a picture \[m\].
+const SEEN: f64 = 0.1e-3;
+
+/// The crack steps along the compressed diagonal: where joints between the clamped courses are that
+/// are open or broken.
+fn crack(frame: &Frame, what: &str, is_crack: impl Fn(&Joint) -> bool) -> Finding {
+    let cracks: Vec<[f64; 2]> = frame
         .joints
         .iter()
-        .filter(|joint| joint.state == JointState::Broken)
+        .filter(|joint| is_crack(joint))
         .map(|joint| {
             let start = |k: usize, i: usize| joint.ends[k][i] - joint.displacement[k][i];
             [0, 1].map(|i| f64::midpoint(start(0, i), start(1, i)))
         })
+        // bed joints along the clamped courses slip first
+        .filter(|p| (0.07..1.01).contains(&p[1]))
         .collect();
-    // the bed joints along both beams' courses slip first
-    let between = |p: &&[f64; 2]| (0.07..1.01).contains(&p[1]);
-    let inner = broken.iter().filter(between).count();
-    let near = |p: &&[f64; 2]| (p[0] / 0.99 + p[1] / 1.08 - 1.0).abs() < 0.25;
-    let along = broken.iter().filter(between).filter(near).count();
+    let near = cracks.iter().filter(|p| (p[0] / 0.99 + p[1] / 1.08 - 1.0).abs() < 0.25).count();
+    let all = cracks.len();
     Finding::statement(
-        "broken joints at the end, between the clamped courses, p_f = 9.02 GPa",
-        "a stepped crack along the compressed diagonal: two thirds within a quarter of the wall",
-        &format!("{inner} broken, {along} of them there"),
-        inner > 10 && 3 * along >= 2 * inner,
+        what,
+        "a stepped crack along the compressed diagonal: two thirds of them within a quarter of the wall",
+        &format!("{all}, {near} of them there"),
+        all > 10 && 3 * near >= 2 * all,
     )
 }
 
