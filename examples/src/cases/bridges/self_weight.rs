@@ -20,7 +20,8 @@ soil E = 0.24 GPa, ρ = 1800 kg/m³; mortar f_t = 0.2 MPa, G_f = 0.5 N/m, penalt
 f_t = 3 MPa, G_f = 7.5 N/m, penalty 141 GPa; contact penalties 10 and 5 GPa, friction 0.57; time step 5 µs.
 The thesis does not tell the thickness of the ring (0.45 m here), the height of the courses (0.6 m, 15 of
 them) or the width of the soil (2 m). Blocks of a course lie half a block beside those below, and the corners of neighbours
-are shared, so that most blocks have four triangles. The number of nodes on the top line is the thesis's.
+are shared, so that most blocks have four triangles: 1928, 1520 and 905 of them (the thesis: 2066, 1124 and 606,
+two for each block). The number of nodes on the top line is the thesis's.
 
 Gravity comes at t = 0; the bridges are at rest by 1.5 s. The mesh is exactly mirror-symmetric.",
     evaluate,
@@ -133,12 +134,6 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
 
 /// The ground carries what the soil does not.
 fn weight_finding(run: &super::family::BridgeRun) -> Result<Finding, CaseError> {
-    let table = run.run.monitors()?;
-    let column = |name: &str| table.find(name).map(|c| table.column(c));
-    let sum: f64 = ["left footing reaction-y", "right footing reaction-y"]
-        .into_iter()
-        .map(|name| Ok(column(name)?.last().copied().unwrap_or(f64::NAN)))
-        .sum::<Result<f64, CaseError>>()?;
     let model = &run.run.generated.model;
     let weight: f64 = model
         .mesh
@@ -147,11 +142,11 @@ fn weight_finding(run: &super::family::BridgeRun) -> Result<Finding, CaseError> 
         .filter(|t| model.substances[t.material].name == "stone")
         .map(|t| 2400.0 * model.mesh.area(t) * 9.81)
         .sum();
-    // what the nodes on the ground carry themselves is in no reaction
+    let end = run.run.summary.time;
     let quantity = format!("share of the masonry's weight on the ground, {}", run.label);
-    Ok(Finding::range(&quantity, "", [0.8, 1.05], sum / weight).noted(
-        "The soil beside the masonry carries the rest by friction; the weight of the nodes on the ground is in \
-         no reaction.",
+    Ok(Finding::range(&quantity, "", [0.8, 1.0], run.ground(end / 2.0, end)? / weight).noted(
+        "Mean over the second half of the time. The soil beside the masonry carries the rest by friction; the \
+         weight of the nodes on the ground is in no reaction.",
     ))
 }
 

@@ -1,10 +1,11 @@
 //! A support that settles.
 
 use super::{
-    family::{SHORT, run_shown},
+    family::{BridgeRun, run_shown},
     pictures::{self, Shown},
 };
 use crate::{Bench, Case, CaseError, Finding, Group, Length, Outcome};
+use ypsilon::meshing::Load;
 use ypsilon_post::{
     field::Field,
     plot::Range,
@@ -28,8 +29,9 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut findings = Vec::new();
     let mut pictures = Vec::new();
     let full = bench.length() == Length::Full;
-    let (half_way, end) = if full { (3.0, 4.5) } else { (3.0 * SHORT, 4.5 * SHORT) };
     for run in &mut runs {
+        let [from, end] = course(run)?;
+        let half_way = f64::midpoint(from, end);
         let label = run.label;
         let way = settled(&run.last()?);
         findings.push(Finding::within(&format!("settlement, {label}"), "m", 0.6, way, 1e-6));
@@ -119,6 +121,16 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
         }
     }
     Ok(Outcome { findings, pictures })
+}
+
+/// When the support begins and ends to settle \[s\].
+fn course(run: &BridgeRun) -> Result<[f64; 2], CaseError> {
+    let times = |load: &Load| match *load {
+        Load::Settlement { from_s, to_s, .. } => Some([from_s, to_s]),
+        _ => None,
+    };
+    let found = run.scenario.loads.iter().find_map(times);
+    found.ok_or_else(|| CaseError::missing(format!("{} has no settlement", run.label)))
 }
 
 /// How far the left support went down \[m\].

@@ -1,5 +1,6 @@
 //! The masonry shear wall of chapter 3.
 
+mod pushed;
 mod tu_eindhoven;
 
 use crate::Case;
