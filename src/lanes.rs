@@ -242,7 +242,7 @@ mod tests {
         bits.extend(a.into_iter().chain(b).map(f64::to_bits));
         bits.extend((0..4).flat_map(|k| [a[k], b[k], a[k], b[k]]).map(f64::to_bits));
         let comparisons: [&dyn Fn(f64, f64) -> bool; 4] =
-            [&|a, b| a < b, &|a, b| a <= b, &|a, b| a > b, &|a, b| !(a < b)];
+            [&|a, b| a < b, &|a, b| a <= b, &|a, b| a > b, &|a, b| !f64::lt(&a, &b)];
         let masks = comparisons.map(|f| (0..4).fold(0, |m, i| m | u64::from(f(a[i], b[i])) << i));
         bits.extend(masks);
         bits.extend(masks.map(|m| u64::from(m != 0) + 2 * u64::from(m == 15)));
