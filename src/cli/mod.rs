@@ -13,7 +13,6 @@ mod mesh;
 mod plot;
 mod progress;
 mod run;
-mod settle;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;

@@ -3,7 +3,6 @@ use super::{
     console::{say, warn},
     deck_report, interrupt,
     progress::Screen,
-    settle::SettleArguments,
 };
 use crate::{
     output::{Monitor, MonitorPlan, OutputError, OutputNames},
@@ -12,7 +11,7 @@ use crate::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
         ScenarioError, StopReason, deck_of_scenario, load, run_with,
     },
-    simulation::{SettlingFault, SolverOptions},
+    simulation::{SettlingFault, SettlingOptions, SolverOptions},
 };
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -39,8 +38,20 @@ pub(super) struct RunArguments {
     /// Write the full-precision state after so many completed steps, as text
     #[arg(long, value_delimiter = ',', value_name = "N,N,...")]
     states: Vec<u64>,
-    #[command(flatten)]
-    settling: SettleArguments,
+    /// Bring the deck to rest under the loads of its first instant before the first step, by
+    /// dynamic relaxation: many times faster than waiting for it. Results then begin with the
+    /// settled state
+    #[arg(long, conflicts_with = "resume")]
+    settle: bool,
+    /// Unbalanced force ratio at which the deck counts as settled: largest residual nodal force
+    /// over mean nodal load
+    #[arg(long, value_name = "RATIO", requires = "settle", default_value_t = SettlingOptions::TOLERANCE)]
+    settle_tolerance: f64,
+    /// Iterations after which settling is given up
+    #[arg(long, value_name = "N", requires = "settle",
+          value_parser = clap::value_parser!(u64).range(1..),
+          default_value_t = SettlingOptions::MOST_ITERATIONS)]
+    settle_steps: u64,
     /// Write DECK.checkpoint when the run ends, also when Ctrl-C or --steps ends it:
     /// --resume goes on from there
     #[arg(long)]
@@ -109,6 +120,14 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
 }
 
 impl RunArguments {
+    /// How to settle, if the deck is to be settled.
+    fn settling(&self) -> Option<SettlingOptions> {
+        self.settle.then_some(SettlingOptions {
+            tolerance: self.settle_tolerance,
+            most_iterations: self.settle_steps,
+        })
+    }
+
     /// The checkpoint to go on from.
     fn earlier(&self, deck: &Path) -> Result<Option<Checkpoint>, CheckpointError> {
         let file = |given: &Option<PathBuf>| {
@@ -207,7 +226,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         legacy_d3plot: settings.legacy_d3plot,
         monitors: arguments.plan(scenario_monitors),
         profile: settings.profile,
-        settling: arguments.settling.options(),
+        settling: arguments.settling(),
     };
     let every = arguments.checkpoint_every;
     let checkpoints = Checkpoints {

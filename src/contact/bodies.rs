@@ -83,6 +83,13 @@ pub(super) struct Bodies {
 }
 
 impl Bodies {
+    /// Triangles with these corner nodes.
+    #[cfg(test)]
+    pub fn of(corners: Vec<[u32; 3]>, nodes: &[Vec2]) -> Self {
+        let at = |corners: &[u32; 3]| Body::new(corners.map(|n| nodes[n as usize]));
+        Self { bodies: corners.iter().map(at).collect(), corners, ..Self::default() }
+    }
+
     /// Forgets all participants.
     pub fn clear(&mut self, elements: usize) {
         self.corners.clear();

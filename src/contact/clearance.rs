@@ -217,6 +217,21 @@ mod tests {
         (unit_number(), unit_number()).prop_map(|(x, y)| Vec2::new(x, y))
     }
 
+    /// How close two triangles are.
+    fn proximity(corners: &[[Vec2; 3]; 2], buffer: f64) -> Proximity {
+        let shapes = corners.map(Shape::new);
+        let motion = Motion::new([Vec2::zeros(); 3]);
+        let couple = Couple {
+            shapes: [&shapes[0], &shapes[1]],
+            motions: [&motion; 2],
+            pair: &PairProperties { penalty: 1e9, tangential_penalty: 1e8, friction: 0.5 },
+            dt: 1e-3,
+            drop_distance_squared: 4.0 * buffer * buffer,
+        };
+        let mut sides = [SideForces::default(); 2];
+        overlap(&couple, &mut { couple.pair }, &mut [0.0; 6], &mut sides)
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
@@ -253,7 +268,13 @@ mod tests {
             }
             let still = at(&nodes, 0.0);
             prop_assume!(area(&still[0]) > 1e-3 && area(&still[1]) > 1e-3);
-            let free = clearance([&nodes[0], &nodes[1]], &still, buffer).rest;
+            let Clearance { rest: free, stay } =
+                clearance([&nodes[0], &nodes[1]], &still, buffer);
+            prop_assert!(stay >= free);
+            let moved = at(&nodes, stay);
+            if stay > 0.0 && area(&moved[0]) > 0.0 && area(&moved[1]) > 0.0 {
+                prop_assert!(proximity(&moved, buffer) != Proximity::Beyond);
+            }
             let shapes = at(&nodes, free).map(Shape::new);
             let motion = Motion::new([Vec2::new(1.0, 2.0); 3]);
             let couple = Couple {

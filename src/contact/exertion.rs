@@ -257,3 +257,210 @@ fn first(row: &[f64; 6]) -> &[f64; LANES] {
 fn last(row: &[f64; 6]) -> &[f64; LANES] {
     &row[2..].as_chunks().0[0]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::{
+        contact::{
+            Couple, Motion, Proximity, SideForces, bodies::Bodies, certain::certainly_clear,
+            friction::PairTable, overlap,
+        },
+        lanes::{self, Kernel},
+        scene::PairProperties,
+    };
+    use proptest::prelude::*;
+
+    const PAIR: PairProperties =
+        PairProperties { penalty: 3e9, tangential_penalty: 4e8, friction: 0.3 };
+
+    /// Four couples of triangles 2k and 2k + 1, and all that a step knows of them.
+    #[derive(Debug, Clone)]
+    struct Scene {
+        corners: Vec<[u32; 3]>,
+        places: Vec<Vec2>,
+        velocities: Vec<Vec2>,
+        sliding: [[f64; 6]; LANES],
+    }
+
+    /// What comes of a step, as bits.
+    #[derive(Debug, Clone, PartialEq)]
+    struct Outcome {
+        touching: u32,
+        forces: Vec<[u64; 2]>,
+        sliding: Vec<[u64; 6]>,
+    }
+
+    impl Scene {
+        fn couples(&self) -> [[u32; 2]; LANES] {
+            [0, 1, 2, 3].map(|k| [2 * k, 2 * k + 1])
+        }
+
+        fn outcome(&self, touching: u32, forces: &[Vec2], sliding: &[[f64; 6]]) -> Outcome {
+            Outcome {
+                touching,
+                forces: forces.iter().map(|f| [f.x.to_bits(), f.y.to_bits()]).collect(),
+                sliding: sliding.iter().map(|s| s.map(f64::to_bits)).collect(),
+            }
+        }
+
+        /// Couple after couple with scalar code.
+        fn one_by_one(&self) -> Outcome {
+            let bodies = Bodies::of(self.corners.clone(), &self.places);
+            let shapes: Vec<_> = bodies.bodies.iter().map(|b| b.shape()).collect();
+            let motion = |c: &[u32; 3]| Motion::new(c.map(|n| self.velocities[n as usize]));
+            let motions: Vec<_> = self.corners.iter().map(motion).collect();
+            let mut forces = vec![Vec2::zeros(); self.places.len()];
+            let mut sliding = self.sliding;
+            let mut touching = 0;
+            for (k, [t, c]) in self.couples().into_iter().enumerate() {
+                let [t, c] = [t as usize, c as usize];
+                let couple = Couple {
+                    shapes: [&shapes[t], &shapes[c]],
+                    motions: [&motions[t], &motions[c]],
+                    pair: &PAIR,
+                    dt: 1e-3,
+                    drop_distance_squared: 0.01,
+                };
+                let mut sides = [SideForces::default(); 2];
+                let near = overlap(&couple, &mut { couple.pair }, &mut sliding[k], &mut sides);
+                if near == Proximity::Near {
+                    touching |= 1 << k;
+                    sides[0].scatter(&self.corners[t], &self.corners[c], &mut forces);
+                    sides[1].scatter(&self.corners[c], &self.corners[t], &mut forces);
+                }
+            }
+            self.outcome(touching, &forces, &sliding)
+        }
+    }
+
+    /// All four couples at once; also the lanes that are certainly clear.
+    struct AtOnce<'a>(&'a Scene);
+
+    impl Kernel for AtOnce<'_> {
+        type Output = (Outcome, u32);
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> (Outcome, u32) {
+            let scene = self.0;
+            let bodies = Bodies::of(scene.corners.clone(), &scene.places);
+            let pairs = PairTable::of_one(PAIR);
+            let step = Step {
+                bodies: &bodies,
+                velocities: &scene.velocities,
+                pairs: &pairs,
+                dt: 1e-3,
+                buffer: 0.05,
+                path: 0.0,
+                advance: 0.0,
+                rests: true,
+                evaluation: 0.0,
+            };
+            let participants = scene.couples();
+            let mut visits: Vec<Visit> = participants
+                .iter()
+                .zip(scene.sliding)
+                .map(|(&participants, sliding)| Visit::between(participants, sliding))
+                .collect();
+            let quartet = Quartet { couples: [0, 1, 2, 3], participants, count: LANES };
+            let mut out = [Touch::default(); LANES];
+            let touching = quartet.exert::<L>(&step, &mut visits, &mut out);
+            let mut forces = vec![Vec2::zeros(); scene.places.len()];
+            for touch in &out[..touching.count_ones() as usize] {
+                touch.exertion.scatter(step.nodes_of(touch.participants), &mut forces);
+            }
+            let sliding: Vec<_> = visits.iter().map(|visit| visit.sliding).collect();
+            let of =
+                |t: usize| Triangles::<L>::new(each!(4, |k| step.bodies_of(participants[k])[t]));
+            let clear = certainly_clear(&of(0), &of(1)).bits();
+            (scene.outcome(touching, &forces, &sliding), clear)
+        }
+    }
+
+    fn vector() -> impl Strategy<Value = Vec2> {
+        ((-1000i32..=1000), (-1000i32..=1000))
+            .prop_map(|(x, y)| Vec2::new(f64::from(x), f64::from(y)) / 1000.0)
+    }
+
+    /// Two triangles: apart, overlapping, one in the other, with common nodes, or with an edge
+    /// or a corner of both in the same place up to a tiny gap.
+    fn couple() -> impl Strategy<Value = ([Vec2; 6], [u32; 6])> {
+        let gap = prop_oneof![
+            Just(0.0),
+            Just(1e-12),
+            Just(-1e-12),
+            Just(1e-9),
+            Just(-1e-9),
+            Just(1e-6),
+            Just(-1e-6)
+        ];
+        (prop::array::uniform6(vector()), vector(), 0..3u32, 0..3u32, gap).prop_map(
+            |(mut places, apart, shared, bonded, gap)| {
+                for place in &mut places[3..] {
+                    *place += 1.2 * apart;
+                }
+                let mut nodes = [0, 1, 2, 3, 4, 5];
+                for k in 0..shared {
+                    nodes[5 - k as usize] = k;
+                    places[5 - k as usize] = places[k as usize];
+                }
+                for k in 0..bonded as usize {
+                    places[5 - k] = places[k] + Vec2::new(gap, -0.5 * gap);
+                }
+                for t in [0, 3] {
+                    let (a, b) = (places[t + 1] - places[t], places[t + 2] - places[t]);
+                    if a.x * b.y - a.y * b.x < 0.0 {
+                        places.swap(t + 1, t + 2);
+                        nodes.swap(t + 1, t + 2);
+                    }
+                }
+                (places, nodes)
+            },
+        )
+    }
+
+    fn scene() -> impl Strategy<Value = Scene> {
+        let couples = prop::array::uniform4((
+            couple(),
+            prop::array::uniform6(vector()),
+            prop::array::uniform6(-1e-3..1e-3),
+        ));
+        couples.prop_map(|couples| {
+            let mut scene = Scene {
+                corners: Vec::new(),
+                places: vec![Vec2::zeros(); 24],
+                velocities: vec![Vec2::zeros(); 24],
+                sliding: [[0.0; 6]; LANES],
+            };
+            for (k, ((places, nodes), velocities, sliding)) in couples.into_iter().enumerate() {
+                let nodes = nodes.map(|n| n + 6 * k as u32);
+                for i in 0..6 {
+                    scene.places[nodes[i] as usize] = places[i];
+                    scene.velocities[nodes[i] as usize] = velocities[i];
+                }
+                scene
+                    .corners
+                    .extend([[nodes[0], nodes[1], nodes[2]], [nodes[3], nodes[4], nodes[5]]]);
+                scene.sliding[k] = sliding;
+            }
+            scene
+        })
+    }
+
+    proptest! {
+        #![proptest_config(ProptestConfig::with_cases(5_000))]
+
+        /// Forces and sliding have the bits of the scalar code, and what is certainly clear is
+        /// clear.
+        #[test]
+        fn four_couples_at_once_have_the_bits_of_one_by_one(scene in scene()) {
+            let expected = scene.one_by_one();
+            let (at_once, clear) = lanes::run(AtOnce(&scene));
+            prop_assert_eq!(&at_once, &expected);
+            prop_assert_eq!(clear & expected.touching, 0);
+            let (portable, clear_portable) = lanes::run_portable(AtOnce(&scene));
+            prop_assert_eq!(&portable, &expected);
+            prop_assert_eq!(clear, clear_portable);
+        }
+    }
+}

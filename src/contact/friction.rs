@@ -84,6 +84,12 @@ impl PairTable {
         Self { materials: materials.len(), pairs }
     }
 
+    /// Table of one material that touches itself.
+    #[cfg(test)]
+    pub fn of_one(pair: PairProperties) -> Self {
+        Self { materials: 1, pairs: vec![Some(pair)] }
+    }
+
     /// Rank of the pair in the order of visits (p ascending, then q), if the
     /// two materials can touch.
     #[must_use]

@@ -34,6 +34,27 @@ pub(super) struct Visit {
     listed: u32,
 }
 
+#[cfg(test)]
+impl Visit {
+    /// A couple of these participants with some sliding.
+    pub fn between(participants: [u32; 2], sliding: [f64; 6]) -> Self {
+        let [target, contactor] = participants;
+        Self {
+            sliding,
+            rank: 0,
+            pair: 0,
+            participants,
+            is_dropped: false,
+            contactor,
+            target,
+            slot: 0,
+            before: NOWHERE,
+            after: NOWHERE,
+            listed: 0,
+        }
+    }
+}
+
 /// How long couples can be left alone, in the order of the list. Paths are those of the fastest
 /// node since the start: no node has moved further.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
