@@ -49,8 +49,14 @@ pub trait Lanes:
     /// One truth value per lane.
     type Mask: Mask;
 
+    /// A plane vector.
+    type Pair: Pair;
+
     /// The same number in all lanes.
     fn splat(value: f64) -> Self;
+
+    /// As [`Self::unpair`], in registers.
+    fn split(x: Self, y: Self) -> [Self::Pair; LANES];
 
     /// Square roots.
     fn sqrt(self) -> Self;
@@ -119,6 +125,15 @@ pub trait Mask: Copy + BitAnd<Output = Self> + BitOr<Output = Self> + Not<Output
     }
 }
 
+/// A plane vector that sums are made of.
+pub trait Pair: Copy + Add<Output = Self> + Sub<Output = Self> {
+    /// From memory.
+    fn load(components: &[f64; 2]) -> Self;
+
+    /// To memory.
+    fn store(self, components: &mut [f64; 2]);
+}
+
 /// A computation over lanes of either kind.
 pub trait Kernel {
     /// What it gives.
@@ -183,6 +198,14 @@ mod tests {
             }
             let pairs = L::unpair(a, b);
             bits.extend(pairs.iter().flatten().map(|v| v.to_bits()));
+            let mut split = L::split(a, b);
+            for (split, pair) in split.iter_mut().zip(&pairs) {
+                let mut stored = [0.0; 2];
+                (*split + Pair::load(pair) - *split).store(&mut stored);
+                bits.extend(stored.map(f64::to_bits));
+                split.store(&mut stored);
+                assert_eq!(stored.map(f64::to_bits), pair.map(f64::to_bits));
+            }
             let [x, y] = L::pairs([&pairs[0], &pairs[1], &pairs[2], &pairs[3]]);
             bits.extend(x.array().into_iter().chain(y.array()).map(f64::to_bits));
             let columns = L::transpose([a, b, a, b]);
@@ -215,10 +238,11 @@ mod tests {
         each(&|_, _| a[1]);
         each(&|_, b| b);
         bits.extend((0..4).flat_map(|i| [a[i].to_bits(), b[i].to_bits()]));
+        bits.extend((0..4).flat_map(|i| [a[i], b[i]].map(|x| (x + x - x).to_bits())));
         bits.extend(a.into_iter().chain(b).map(f64::to_bits));
         bits.extend((0..4).flat_map(|k| [a[k], b[k], a[k], b[k]]).map(f64::to_bits));
         let comparisons: [&dyn Fn(f64, f64) -> bool; 4] =
-            [&|a, b| a < b, &|a, b| a <= b, &|a, b| a > b, &|a, b| !(a < b)];
+            [&|a, b| a < b, &|a, b| a <= b, &|a, b| a > b, &|a, b| !f64::lt(&a, &b)];
         let masks = comparisons.map(|f| (0..4).fold(0, |m, i| m | u64::from(f(a[i], b[i])) << i));
         bits.extend(masks);
         bits.extend(masks.map(|m| u64::from(m != 0) + 2 * u64::from(m == 15)));

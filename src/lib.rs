@@ -7,6 +7,7 @@
 //! All quantities are in one consistent unit system chosen by the deck (SI in
 //! every example); 2D bodies have unit thickness.
 
+pub mod bench;
 pub mod cli;
 pub mod contact;
 pub mod insertion;

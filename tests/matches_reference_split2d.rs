@@ -93,6 +93,7 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
         legacy_d3plot: true,
         monitors: Default::default(),
         profile: Profile::Source,
+        settling: None,
     };
     run(loaded, &options, &mut Silent)?;
     for step in steps {

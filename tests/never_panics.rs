@@ -78,6 +78,7 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
         legacy_d3plot: false,
         monitors: Default::default(),
         profile: Profile::default(),
+        settling: None,
     };
     // motion may become unstable and later stages may be wrong: that is no panic
     let _ = run(loaded, &options, &mut Silent);

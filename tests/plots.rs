@@ -124,6 +124,21 @@ fn curves_are_drawn_from_tables_and_histories() {
 }
 
 #[test]
+fn axes_can_be_logarithmic() {
+    let folder = tempfile::TempDir::new().expect("a folder");
+    let table = "time (s),error\n1e-4,1e-1\n1e-3,1e-3\n1e-2,0\n1e-1,1e-7\n";
+    fs::write(folder.path().join("errors.csv"), table).expect("a table");
+    let arguments = ["errors.csv", "--log", "x,y", "--markers"];
+    let svg = String::from_utf8(drawn(folder.path(), &arguments, "errors.svg")).expect("text");
+    for label in ["10⁻³", "10⁻²", "10⁻⁶"] {
+        assert!(svg.contains(&format!(">{label}<")), "{label}: {svg}");
+    }
+    // zero has no logarithm
+    let linear = String::from_utf8(drawn(folder.path(), &["errors.csv"], "linear.svg"));
+    assert!(!linear.expect("text").contains("10⁻³"));
+}
+
+#[test]
 fn what_cannot_be_drawn_is_told() {
     let folder = results(&plate(Case::LinearDisplacement, 2), &[], 1);
     fs::write(folder.path().join("bad.csv"), "a,b\n1,x\n").expect("a table");

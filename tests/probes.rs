@@ -144,6 +144,7 @@ fn results(name: &str) -> BTreeMap<String, Vec<u8>> {
         legacy_d3plot: true,
         monitors: Default::default(),
         profile: Profile::Windows,
+        settling: None,
     };
     run(loaded, &options, &mut Silent).unwrap_or_else(|error| panic!("{name}: {error}"));
     let entries = fs::read_dir(&folder).expect("the results").flatten();

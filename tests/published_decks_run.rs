@@ -81,6 +81,7 @@ fn published_decks_run() {
             legacy_d3plot: false,
             monitors: Default::default(),
             profile: Profile::default(),
+            settling: None,
         };
         let unstable = UNSTABLE.contains(&name.as_str());
         match run(loaded, &options, &mut Silent) {

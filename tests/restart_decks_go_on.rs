@@ -25,6 +25,7 @@ fn state(deck: &Path, folder: &Path, steps: u64) -> StateFile {
         legacy_d3plot: false,
         monitors: Default::default(),
         profile: Profile::default(),
+        settling: None,
     };
     run(loaded, &options, &mut Silent).expect("a stable run");
     let name = deck.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -204,6 +204,7 @@ impl Runner {
             legacy_d3plot: false,
             monitors: Default::default(),
             profile: Profile::default(),
+            settling: None,
         };
         run_with(loaded.expect("a sound deck"), &options, checkpoints, &mut Silent)
     }

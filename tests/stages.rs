@@ -66,6 +66,7 @@ impl Run {
             legacy_d3plot: true,
             monitors: Default::default(),
             profile: Profile::default(),
+            settling: None,
         };
         let mut said = Said::default();
         let outcome = run(loaded.expect("a sound first stage"), &options, &mut said);

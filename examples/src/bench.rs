@@ -166,6 +166,7 @@ impl Bench {
             legacy_d3plot: false,
             monitors: session::monitors(scenario, &deck)?,
             profile: Profile::default(),
+            settling: None,
         };
         let summary = session::run_with(loaded, &options, Checkpoints::default(), &mut Silent)
             .map_err(Box::new)?;

@@ -21,6 +21,6 @@ mod weld;
 
 pub use colours::{Colour, ColourMap};
 pub use contour::{ContourOptions, JointLines, Range, contour};
-pub use curves::{Curve, CurveOptions, curves};
+pub use curves::{Curve, CurveOptions, Scale, curves, curves_on};
 pub use picture::{Anchor, Picture, Shape};
 pub use scale::{Ticks, prefix};

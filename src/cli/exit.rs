@@ -7,7 +7,7 @@ Exit codes:
   1    the deck cannot be read or has errors; no output file was touched
   2    the command line is wrong
   3    a result file cannot be written
-  4    the run became unstable (results up to then are complete)
+  4    the run became unstable (results up to then are complete), or did not settle
   130  interrupted (results up to then are complete)";
 
 /// How the program ends.
@@ -21,7 +21,7 @@ pub enum Exit {
     Usage = 2,
     /// A result file cannot be written.
     Output = 3,
-    /// The run became unstable.
+    /// The run became unstable, or did not come to rest with `--settle`.
     Unstable = 4,
     /// The user interrupted the run.
     Interrupted = 130,

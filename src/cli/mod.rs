@@ -1,5 +1,6 @@
 //! The command line. One file per subcommand.
 
+mod bench;
 mod check;
 mod console;
 mod convert;
@@ -12,6 +13,7 @@ mod mesh;
 mod plot;
 mod progress;
 mod run;
+mod settle;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -50,6 +52,9 @@ enum Command {
     Extract(extract::ExtractArguments),
     /// Make decks of bridges, walls, columns and blocks from parameters or scenario files
     Mesh(Box<mesh::MeshArguments>),
+    /// Measure speed, memory and accuracy on scenes and decks
+    #[command(after_help = bench::HELP)]
+    Bench(bench::BenchArguments),
     /// List the deck keywords of a dialect with their meaning
     Keywords(keywords::KeywordArguments),
 }
@@ -65,6 +70,7 @@ pub fn main() -> ExitCode {
         (Some(Command::Plot(plot)), _) => plot::main(&plot),
         (Some(Command::Extract(extract)), _) => extract::main(&extract),
         (Some(Command::Mesh(mesh)), _) => mesh::main(&mesh),
+        (Some(Command::Bench(bench)), _) => bench::main(&bench),
         (Some(Command::Keywords(keywords)), _) => keywords::main(&keywords),
         (None, None) => Exit::Usage,
     };

@@ -12,7 +12,8 @@ use ypsilon_post::{
     PostError,
     field::Field,
     plot::{
-        ColourMap, ContourOptions, Curve, CurveOptions, JointLines, Picture, Range, contour, curves,
+        ColourMap, ContourOptions, Curve, CurveOptions, JointLines, Picture, Range, Scale, contour,
+        curves_on,
     },
     results::{FrameChoice, Results},
     table::Table,
@@ -131,6 +132,9 @@ struct CurveArguments {
     /// Part to show along y
     #[arg(long, value_name = "LOW:HIGH", allow_hyphen_values = true)]
     y_range: Option<String>,
+    /// Logarithmic axes; numbers that are not above 0 are left out
+    #[arg(long, value_enum, value_name = "AXIS,...", value_delimiter = ',')]
+    log: Vec<Axis>,
     /// Name of a curve in the legend, once for each
     #[arg(long, value_name = "TEXT")]
     name: Vec<String>,
@@ -140,6 +144,12 @@ struct CurveArguments {
     /// Height, pixels
     #[arg(long, value_name = "PIXELS", default_value_t = 600)]
     height: u32,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+enum Axis {
+    X,
+    Y,
 }
 
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
@@ -304,7 +314,8 @@ fn draw_curves(inputs: &[PathBuf], arguments: &PlotArguments) -> Result<Picture,
     for factor in [wanted.x_factor, wanted.y_factor] {
         numbers::<1>("the factor", &factor.to_string())?;
     }
-    curves(&drawn, &options)
+    let scale = |axis| if wanted.log.contains(&axis) { Scale::Logarithmic } else { Scale::Linear };
+    curves_on([Axis::X, Axis::Y].map(scale), &drawn, &options)
 }
 
 /// What columns that share an axis have in common: all, their unit in brackets, or nothing.

@@ -1,8 +1,8 @@
 use super::{console::say, deck_report, interrupt};
 use crate::{
     output::TABLE_HEADER,
-    session::{Observer, Progress, RunSummary, StopReason},
-    simulation::Simulation,
+    session::{Observer, Progress, RunSummary, SettlingSummary, StopReason},
+    simulation::{SettlingOptions, SettlingProgress, Simulation},
 };
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::{
@@ -87,6 +87,46 @@ impl Observer for Screen {
 
     fn findings(&mut self, findings: &[Diagnostic], sources: &SourceMap) {
         deck_report::print(findings, sources, Severity::Warning);
+    }
+
+    fn settling_starts(&mut self, simulation: &Simulation, options: &SettlingOptions) {
+        let joints = crate::simulation::joint_views(simulation).count();
+        say(&format!(
+            "Settling {} triangles and {joints} joints to an unbalanced force ratio of {:e} ...",
+            simulation.triangles().count(),
+            options.tolerance
+        ));
+        if self.is_terminal {
+            let bar = ProgressBar::with_draw_target(None, ProgressDrawTarget::stderr());
+            let style = ProgressStyle::with_template("{spinner} {msg}");
+            self.bar = Some(bar.with_style(style.unwrap_or_else(|_| ProgressStyle::default_bar())));
+        }
+    }
+
+    fn settling(&mut self, progress: &SettlingProgress) {
+        if let Some(bar) = &self.bar {
+            bar.set_message(format!(
+                "iteration {}  {:.1} % of the loads  unbalanced force ratio {:.2e}",
+                progress.iterations,
+                100.0 * progress.load,
+                progress.ratio
+            ));
+            bar.tick();
+        }
+    }
+
+    fn settled(&mut self, summary: &SettlingSummary) {
+        if let Some(bar) = self.bar.take() {
+            bar.finish_and_clear();
+        }
+        let SettlingSummary { settled, seconds, .. } = summary;
+        say(&format!(
+            "Settled in {} iterations ({seconds:.3} s): unbalanced force ratio {:.2e}",
+            settled.iterations, settled.ratio
+        ));
+        if settled.broken_joints > 0 {
+            say(&format!("{} joints have failed on the way", settled.broken_joints));
+        }
     }
 
     fn row(&mut self, row: &str, progress: &Progress) {

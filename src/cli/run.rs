@@ -3,6 +3,7 @@ use super::{
     console::{say, warn},
     deck_report, interrupt,
     progress::Screen,
+    settle::SettleArguments,
 };
 use crate::{
     output::{Monitor, MonitorPlan, OutputError, OutputNames},
@@ -11,7 +12,7 @@ use crate::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
         ScenarioError, StopReason, deck_of_scenario, load, run_with,
     },
-    simulation::SolverOptions,
+    simulation::{SettlingFault, SolverOptions},
 };
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -38,6 +39,8 @@ pub(super) struct RunArguments {
     /// Write the full-precision state after so many completed steps, as text
     #[arg(long, value_delimiter = ',', value_name = "N,N,...")]
     states: Vec<u64>,
+    #[command(flatten)]
+    settling: SettleArguments,
     /// Write DECK.checkpoint when the run ends, also when Ctrl-C or --steps ends it:
     /// --resume goes on from there
     #[arg(long)]
@@ -204,6 +207,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         legacy_d3plot: settings.legacy_d3plot,
         monitors: arguments.plan(scenario_monitors),
         profile: settings.profile,
+        settling: arguments.settling.options(),
     };
     let every = arguments.checkpoint_every;
     let checkpoints = Checkpoints {
@@ -241,7 +245,9 @@ fn report_failure(error: &RunError) -> Exit {
     match error {
         RunError::Output(OutputError::Monitor { .. }) => Exit::Usage,
         RunError::Output(_) => Exit::Output,
-        RunError::Unstable { .. } => Exit::Unstable,
+        RunError::Settling(SettlingFault::Tolerance(_)) => Exit::Usage,
+        RunError::Settling(SettlingFault::Refused(_)) => Exit::Input,
+        RunError::Unstable { .. } | RunError::Settling(_) => Exit::Unstable,
         RunError::Stage { .. } | RunError::Checkpoint(_) => Exit::Input,
     }
 }

@@ -3,7 +3,7 @@
 //! Invariant of every `unsafe` block here: the machine has AVX2. [`Avx2`] is private to
 //! [`super`], and only [`run`] names it there, after [`is_available`].
 
-use super::{Kernel, LANES, Lanes, Mask};
+use super::{Kernel, LANES, Lanes, Mask, Pair};
 use std::{
     arch::x86_64::*,
     ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub},
@@ -16,6 +16,10 @@ pub(super) struct Avx2(__m256d);
 /// All bits of a lane set or none.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Avx2Mask(__m256d);
+
+/// A plane vector in half a register.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Avx2Pair(__m128d);
 
 /// Whether the machine has what [`run`] needs.
 #[inline(always)]
@@ -62,6 +66,23 @@ operator!(Avx2, Div, div, _mm256_div_pd);
 operator!(Avx2Mask, BitAnd, bitand, _mm256_and_pd);
 operator!(Avx2Mask, BitOr, bitor, _mm256_or_pd);
 
+operator!(Avx2Pair, Add, add, _mm_add_pd);
+operator!(Avx2Pair, Sub, sub, _mm_sub_pd);
+
+impl Pair for Avx2Pair {
+    #[inline(always)]
+    fn load(components: &[f64; 2]) -> Self {
+        // SAFETY: the machine has AVX2, see the module; the reference is to 16 bytes
+        Self(unsafe { _mm_loadu_pd(components.as_ptr()) })
+    }
+
+    #[inline(always)]
+    fn store(self, components: &mut [f64; 2]) {
+        // SAFETY: the machine has AVX2, see the module; the reference is to 16 bytes
+        unsafe { _mm_storeu_pd(components.as_mut_ptr(), self.0) }
+    }
+}
+
 impl Neg for Avx2 {
     type Output = Self;
 
@@ -95,11 +116,27 @@ impl Mask for Avx2Mask {
 
 impl Lanes for Avx2 {
     type Mask = Avx2Mask;
+    type Pair = Avx2Pair;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
         // SAFETY: the machine has AVX2, see the module
         Self(unsafe { _mm256_set1_pd(value) })
+    }
+
+    #[inline(always)]
+    fn split(x: Self, y: Self) -> [Avx2Pair; LANES] {
+        // SAFETY: the machine has AVX2, see the module
+        unsafe {
+            let even = _mm256_unpacklo_pd(x.0, y.0);
+            let odd = _mm256_unpackhi_pd(x.0, y.0);
+            [
+                Avx2Pair(_mm256_castpd256_pd128(even)),
+                Avx2Pair(_mm256_castpd256_pd128(odd)),
+                Avx2Pair(_mm256_extractf128_pd::<1>(even)),
+                Avx2Pair(_mm256_extractf128_pd::<1>(odd)),
+            ]
+        }
     }
 
     #[inline(always)]

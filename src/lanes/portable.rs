@@ -1,6 +1,6 @@
 //! Lanes for any machine, as the compiler makes them of loops.
 
-use super::{LANES, Lanes, Mask};
+use super::{LANES, Lanes, Mask, Pair};
 use std::ops::{Add, BitAnd, BitOr, Div, Mul, Neg, Not, Sub};
 
 /// Four numbers.
@@ -10,6 +10,40 @@ pub(super) struct Portable([f64; LANES]);
 /// Four truth values.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct PortableMask([bool; LANES]);
+
+/// A plane vector.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct PortablePair([f64; 2]);
+
+impl Add for PortablePair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn add(self, other: Self) -> Self {
+        Self([self.0[0] + other.0[0], self.0[1] + other.0[1]])
+    }
+}
+
+impl Sub for PortablePair {
+    type Output = Self;
+
+    #[inline(always)]
+    fn sub(self, other: Self) -> Self {
+        Self([self.0[0] - other.0[0], self.0[1] - other.0[1]])
+    }
+}
+
+impl Pair for PortablePair {
+    #[inline(always)]
+    fn load(components: &[f64; 2]) -> Self {
+        Self(*components)
+    }
+
+    #[inline(always)]
+    fn store(self, components: &mut [f64; 2]) {
+        *components = self.0;
+    }
+}
 
 impl Portable {
     #[inline(always)]
@@ -86,10 +120,16 @@ impl Mask for PortableMask {
 
 impl Lanes for Portable {
     type Mask = PortableMask;
+    type Pair = PortablePair;
 
     #[inline(always)]
     fn splat(value: f64) -> Self {
         Self([value; LANES])
+    }
+
+    #[inline(always)]
+    fn split(x: Self, y: Self) -> [PortablePair; LANES] {
+        std::array::from_fn(|i| PortablePair([x.0[i], y.0[i]]))
     }
 
     #[inline(always)]

@@ -8,6 +8,7 @@ mod restage;
 mod resume;
 mod run;
 mod scenario;
+mod settle;
 mod summary;
 mod writers;
 
@@ -18,6 +19,7 @@ pub use run::{RunError, RunOptions, run, run_with};
 pub use scenario::{
     ScenarioDeck, ScenarioError, deck_of_scenario, monitors, write as write_generated,
 };
+pub use settle::SettlingSummary;
 pub use summary::{RunSummary, StopReason};
 
 use serde::{Deserialize, Serialize};

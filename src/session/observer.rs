@@ -1,5 +1,5 @@
-use super::summary::RunSummary;
-use crate::simulation::Simulation;
+use super::{settle::SettlingSummary, summary::RunSummary};
+use crate::simulation::{SettlingOptions, SettlingProgress, Simulation};
 use std::path::Path;
 use yformat::{diagnostic::Diagnostic, source::SourceMap};
 
@@ -27,6 +27,15 @@ pub trait Observer {
 
     /// Findings about the deck.
     fn findings(&mut self, _findings: &[Diagnostic], _sources: &SourceMap) {}
+
+    /// The scene is brought to rest before its first step.
+    fn settling_starts(&mut self, _simulation: &Simulation, _options: &SettlingOptions) {}
+
+    /// Called now and then while it settles.
+    fn settling(&mut self, _progress: &SettlingProgress) {}
+
+    /// It is at rest.
+    fn settled(&mut self, _summary: &SettlingSummary) {}
 
     /// A row of the run table is due.
     fn row(&mut self, _row: &str, _progress: &Progress) {}

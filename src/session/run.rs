@@ -5,6 +5,7 @@ use super::{
     observer::{Observer, Progress},
     restage::{Entry, restage},
     resume::resume,
+    settle,
     summary::{RunSummary, StopReason},
     writers::open_writers,
 };
@@ -13,7 +14,7 @@ use crate::{
         MonitorPlan, OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER, table_row,
     },
     scene::Profile,
-    simulation::{Simulation, StressUse},
+    simulation::{SettlingFault, SettlingOptions, Simulation, StressUse},
 };
 use std::{
     io::Write as _,
@@ -48,6 +49,8 @@ pub struct RunOptions {
     pub monitors: MonitorPlan,
     /// Program followed for later stages of the deck.
     pub profile: Profile,
+    /// Whether the scene is brought to rest before its first step, and when it counts as settled.
+    pub settling: Option<SettlingOptions>,
 }
 
 /// Why a run failed.
@@ -59,6 +62,9 @@ pub enum RunError {
     /// The checkpoint cannot be gone on from.
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
+    /// The scene was not brought to rest.
+    #[error(transparent)]
+    Settling(#[from] SettlingFault),
     /// Positions or velocities are no numbers any more.
     #[error(
         "the run has become unstable: at step {step} (time {time:.6e} s) the kinetic energy is {energy}; \
@@ -108,6 +114,7 @@ pub fn run_with(
     observer: &mut dyn Observer,
 ) -> Result<RunSummary, RunError> {
     let names = OutputNames::new(&options.deck, &options.folder);
+    settle::check_start(options, checkpoints.resume.is_some(), loaded.simulation.as_ref())?;
     std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
     check_names(&names, &checkpoints)?;
     observer.findings(&loaded.findings, loaded.deck.sources());
@@ -244,6 +251,15 @@ impl Session<'_> {
                 }
                 if !is_entered {
                     self.here.ends.push(database.integer("YDC/MCSTEP"));
+                }
+                if index == 0 && !is_entered && self.options.settling.is_some() {
+                    self.here.settling =
+                        settle::settle(self.options, &mut simulation, self.observer)?;
+                    if self.here.settling.is_none() {
+                        return Ok(StopReason::Interrupted);
+                    }
+                    // the speed of a run is that of its steps
+                    self.started = Instant::now();
                 }
                 let end = self.run_stage(&mut simulation)?;
                 let is_last = index + 1 == stages.len();
@@ -416,6 +432,7 @@ impl Session<'_> {
             stop,
             steps: self.here.steps + self.done,
             resumed_at: self.resumed_at,
+            settling: self.here.settling,
             time: simulation.time(),
             nodes: simulation.scene().nodes.len(),
             triangles: simulation.triangles().count(),
@@ -426,6 +443,7 @@ impl Session<'_> {
             detections: work.detections,
             couples_evaluated: work.evaluated,
             couples_rested: work.rested,
+            phases: simulation.phase_times(),
             files,
             ..empty_summary(self.options, self.warnings)
         };
@@ -488,6 +506,8 @@ fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
         detections: 0,
         couples_evaluated: 0,
         couples_rested: 0,
+        settling: None,
+        phases: None,
         resumed_at: None,
         warnings,
         files: Vec::new(),

@@ -1,3 +1,5 @@
+use super::settle::SettlingSummary;
+use crate::simulation::PhaseTimes;
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -42,6 +44,12 @@ pub struct RunSummary {
     pub couples_evaluated: u64,
     /// Couples that were at rest and needed no evaluation.
     pub couples_rested: u64,
+    /// What settling did before the first step, if the run was asked to settle.
+    pub settling: Option<SettlingSummary>,
+    /// Where the time went, if it was taken
+    /// ([`Simulation::watch_phases`](crate::simulation::Simulation::watch_phases)).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub phases: Option<PhaseTimes>,
     /// Step of the checkpoint that the run went on from.
     pub resumed_at: Option<u64>,
     /// Warnings about the deck.

@@ -29,7 +29,7 @@ pub struct ClassicJoints {
     /// Apertures, one per element from the first joint on.
     apertures: Vec<Aperture>,
     /// Acoustic emission, likewise.
-    emissions: Vec<Emission>,
+    pub(super) emissions: Vec<Emission>,
     first_joint: usize,
 }
 

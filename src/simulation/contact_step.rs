@@ -1,4 +1,4 @@
-use super::{ClassicJoints, Simulation};
+use super::{ClassicJoints, Simulation, phases::Phase};
 use crate::{
     contact::{Bonds, FractureFace, FractureFaces},
     scene::{BondedPairs, ContactSum, Elements},
@@ -28,6 +28,7 @@ impl Simulation {
             BondedPairs::Excluded => Some(Bonds { edge_joint: &self.classic.edge_joint }),
         };
         contact.detect(&scene.nodes, &mut scene.elements, &scene.materials, bonds, dt);
+        self.clock.lap(Phase::Detection);
         match scene.conventions.contact_sum {
             ContactSum::WithInternal => contact.interact(&scene.nodes, dt, &mut self.force),
             ContactSum::Apart => {

@@ -17,8 +17,10 @@ mod free_motion;
 mod joint_forces;
 mod joint_records;
 mod motion;
+mod phases;
 mod plan;
 mod probe_values;
+mod settling;
 mod state;
 mod state_check;
 mod view;
@@ -32,12 +34,17 @@ use crate::{
 use domains::Domains;
 use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
+use phases::{Phase, PhaseClock};
 use plan::Plan;
 use rayon::prelude::*;
 
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
+pub use phases::PhaseTimes;
+pub use settling::{
+    Settled, SettlingFault, SettlingOptions, SettlingOutcome, SettlingProgress, Unsettleable,
+};
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
@@ -110,6 +117,7 @@ pub struct Simulation {
     evaluated_joints: Vec<EvaluatedJoint>,
     insertion_report: Option<InsertionReport>,
     failures: Vec<JointFailure>,
+    clock: PhaseClock,
 }
 
 impl Simulation {
@@ -151,6 +159,7 @@ impl Simulation {
             evaluated_joints: Vec::new(),
             insertion_report: None,
             failures: Vec::new(),
+            clock: PhaseClock::default(),
         }
     }
 
@@ -234,10 +243,14 @@ impl Simulation {
     /// First half of a step: internal forces, joints, contact detection and
     /// contact forces.
     pub fn evaluate_forces(&mut self) {
+        self.clock.start();
         self.clear_forces();
+        self.clock.lap(Phase::Integration);
         self.add_internal_forces();
         self.record_element_probes();
+        self.clock.start();
         self.add_contact_forces();
+        self.clock.lap(Phase::Overlap);
         self.record_nodal_forces();
     }
 
@@ -249,13 +262,17 @@ impl Simulation {
 
     /// New velocities and positions, and the kinetic energy that they have.
     pub fn move_bodies(&mut self) {
+        self.clock.start();
         self.integrate();
+        self.clock.lap(Phase::Integration);
         self.update_kinetic_energy();
     }
 
     /// What follows the motion: fracture of softening triangles, time.
     pub fn complete_step(&mut self) {
+        self.clock.start();
         self.fracture_triangles();
+        self.clock.lap(Phase::Integration);
         self.time += self.scene.control.time_step;
         self.step += 1;
     }

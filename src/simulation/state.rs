@@ -92,6 +92,7 @@ impl Simulation {
             evaluated_joints: _,
             insertion_report,
             failures,
+            clock: _,
         } = self;
         SimulationState {
             step: *step,

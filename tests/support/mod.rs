@@ -8,5 +8,6 @@ pub mod plate_deck;
 pub mod result_files;
 pub mod results;
 pub mod scenes;
+pub mod settling;
 pub mod spoilt_deck;
 pub mod state_file;

@@ -40,6 +40,7 @@ fn check_files(name: &str, folder: &Path, comparison: Comparison) -> Result<(), 
         legacy_d3plot: false,
         monitors: Default::default(),
         profile: Profile::Windows,
+        settling: None,
     };
     run(loaded, &options, &mut Silent)?;
     let mut reports = Vec::new();

@@ -27,6 +27,7 @@ pub fn results(deck: &Deck, monitors: &[&str], interval: u64) -> TempDir {
         legacy_d3plot: false,
         monitors: MonitorPlan { monitors, interval },
         profile: Profile::Windows,
+        settling: None,
     };
     run(loaded, &options, &mut Silent).expect("a run");
     folder

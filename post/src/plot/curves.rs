@@ -34,11 +34,54 @@ pub struct CurveOptions {
 /// Dashes that tell curves of the same colour apart.
 const DASHES: [Option<[f64; 2]>; 3] = [None, Some([8.0, 4.0]), Some([2.0, 3.0])];
 
+/// How numbers are spread along an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Evenly.
+    Linear,
+    /// By their logarithms; numbers that are not above 0 are left out.
+    Logarithmic,
+}
+
 /// Draws curves.
 ///
 /// # Errors
 /// If no curve has a finite point, or the options make no sense.
 pub fn curves(curves: &[Curve], options: &CurveOptions) -> Result<Picture, PostError> {
+    draw(curves, options, [Scale::Linear; 2])
+}
+
+/// Draws curves on axes of which one or both may be logarithmic.
+///
+/// # Errors
+/// If no curve has a point that can be shown, or the options make no sense.
+pub fn curves_on(
+    scales: [Scale; 2],
+    curves: &[Curve],
+    options: &CurveOptions,
+) -> Result<Picture, PostError> {
+    let log = |k: usize, x: f64| match scales[k] {
+        Scale::Linear => x,
+        Scale::Logarithmic if x > 0.0 => x.log10(),
+        Scale::Logarithmic => f64::NAN,
+    };
+    let drawn: Vec<Curve> = curves
+        .iter()
+        .map(|curve| Curve {
+            name: curve.name.clone(),
+            points: curve.points.iter().map(|&[x, y]| [log(0, x), log(1, y)]).collect(),
+        })
+        .collect();
+    let ranges = [0, 1].map(|k| options.ranges[k].map(|range| range.map(|x| log(k, x))));
+    draw(&drawn, &CurveOptions { ranges, ..options.clone() }, scales)
+}
+
+/// Draws curves whose points are logarithms already where an axis is logarithmic.
+fn draw(
+    curves: &[Curve],
+    options: &CurveOptions,
+    scales: [Scale; 2],
+) -> Result<Picture, PostError> {
     let [wide, tall] = options.size;
     if !(300..=8000).contains(&wide) || !(200..=8000).contains(&tall) {
         let expected = "expected 300 x 200 to 8000 x 8000 pixels";
@@ -48,6 +91,9 @@ pub fn curves(curves: &[Curve], options: &CurveOptions) -> Result<Picture, PostE
     let [x, y] = ranges;
     let (x, y) = (x?, y?);
     let scaled = [(0, x), (1, y)].map(|(k, [low, high])| {
+        if scales[k] == Scale::Logarithmic {
+            return (options.labels[k].clone(), 1.0);
+        }
         let (name, unit) = split_unit(&options.labels[k]);
         let (prefix, factor) = prefix(low.abs().max(high.abs()), unit);
         (title(name, &prefix, unit), factor)
@@ -56,10 +102,14 @@ pub fn curves(curves: &[Curve], options: &CurveOptions) -> Result<Picture, PostE
     let top = if options.title.is_empty() { 20.0 } else { 52.0 };
     let bottom = f64::from(tall) - BOTTOM_MARGIN;
     let wanted = (((bottom - top) / 55.0) as usize).max(2);
-    let y_ticks = Ticks::new(y[0] / y_factor, y[1] / y_factor, wanted);
+    let ticks = |scale: Scale, [low, high]: [f64; 2], factor: f64, wanted: usize| match scale {
+        Scale::Linear => Ticks::new(low / factor, high / factor, wanted),
+        Scale::Logarithmic => Ticks::logarithmic(low, high, wanted),
+    };
+    let y_ticks = ticks(scales[1], y, *y_factor, wanted);
     let left = left_margin(&y_ticks.labels);
     let right = f64::from(wide) - 24.0;
-    let x_ticks = Ticks::new(x[0] / x_factor, x[1] / x_factor, ((right - left) / 100.0) as usize);
+    let x_ticks = ticks(scales[0], x, *x_factor, ((right - left) / 100.0) as usize);
     let axes =
         Axes { window: [[left, top], [right, bottom]], low: [x[0], y[0]], high: [x[1], y[1]] };
 
@@ -151,7 +201,12 @@ fn curve_shapes(
         .collect();
     let mut shapes = Vec::new();
     if markers {
-        let rings = curve.points.iter().filter(|p| is_shown(p)).map(|p| diamond(axes.pixel(*p)));
+        let parts = curve.points.split(|p| !is_shown(p));
+        // points that no line leads to stand out
+        let rings = parts.flat_map(|part| {
+            let size = if part.len() == 1 { 6.0 } else { 3.5 };
+            part.iter().map(move |p| diamond(axes.pixel(*p), size))
+        });
         shapes.push(Shape::Polygons { rings: rings.collect(), colour, seam: 0.0 });
     }
     shapes.push(Shape::Lines { lines, colour, width: 1.7, dash });
@@ -165,8 +220,8 @@ fn near(axes: &Axes, [x, y]: [f64; 2]) -> [f64; 2] {
     [x.clamp(a[0] - far, b[0] + far), y.clamp(a[1] - far, b[1] + far)]
 }
 
-fn diamond([x, y]: [f64; 2]) -> Vec<[f64; 2]> {
-    vec![[x - 3.5, y], [x, y - 3.5], [x + 3.5, y], [x, y + 3.5]]
+fn diamond([x, y]: [f64; 2], size: f64) -> Vec<[f64; 2]> {
+    vec![[x - size, y], [x, y - size], [x + size, y], [x, y + size]]
 }
 
 /// Names of the curves in the corner where fewest points lie.

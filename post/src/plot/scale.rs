@@ -44,6 +44,44 @@ impl Ticks {
     }
 }
 
+impl Ticks {
+    /// Ticks of a logarithmic axis that shows the numbers 10^`low` to 10^`high`: powers of ten,
+    /// and twice and five times these where there are few. Values are logarithms.
+    ///
+    /// ```
+    /// use ypsilon_post::plot::Ticks;
+    /// assert_eq!(Ticks::logarithmic(-6.1, 0.1, 4).labels, ["10⁻⁶", "10⁻⁴", "10⁻²", "1"]);
+    /// assert_eq!(Ticks::logarithmic(-1.0, 0.31, 5).labels, ["0.1", "0.2", "0.5", "1", "2"]);
+    /// ```
+    #[must_use]
+    pub fn logarithmic(low: f64, high: f64, wanted: usize) -> Self {
+        let none = Self { values: Vec::new(), labels: Vec::new() };
+        if !(low < high && low.is_finite() && high.is_finite()) || wanted == 0 {
+            return none;
+        }
+        let [first, last] = [low.floor(), high.ceil()].map(|x| x.clamp(-300.0, 300.0) as i32);
+        let span = high - low;
+        let stride = if span <= 2.5 { 1 } else { ((span / wanted as f64).ceil() as i32).max(1) };
+        let factors: &[f64] = if span <= 2.5 { &[1.0, 2.0, 5.0] } else { &[1.0] };
+        let decades = (first..=last).filter(|power| power.rem_euclid(stride) == 0);
+        let all = decades.flat_map(|power| factors.iter().map(move |&factor| (power, factor)));
+        let at = |(power, factor): &(i32, f64)| f64::from(*power) + factor.log10();
+        let shown = all.filter(|tick| (low - 1e-9..=high + 1e-9).contains(&at(tick)));
+        shown.fold(none, |mut ticks, (power, factor)| {
+            ticks.values.push(at(&(power, factor)));
+            let is_plain = (-3..=3).contains(&power) && span <= 2.5 || power == 0;
+            ticks.labels.push(match (is_plain, factor == 1.0) {
+                (true, _) => {
+                    label(factor * 10_f64.powi(power), usize::try_from(-power).unwrap_or(0))
+                }
+                (false, true) => format!("10{}", superscript(power)),
+                (false, false) => format!("{factor}·10{}", superscript(power)),
+            });
+            ticks
+        })
+    }
+}
+
 /// A number with a true minus sign.
 pub(super) fn label(value: f64, decimals: usize) -> String {
     let text = format!("{value:.decimals$}");

@@ -11,7 +11,7 @@ mod file;
 pub(super) use deck_print::DeckPrint;
 pub use error::CheckpointError;
 
-use super::{Format, restage::Entry};
+use super::{Format, restage::Entry, settle::SettlingSummary};
 use crate::{output::FilePosition, scene::Profile, simulation::SimulationState};
 use serde::{Deserialize, Serialize};
 
@@ -56,6 +56,8 @@ pub(super) struct Position {
     pub seconds: f64,
     /// Warnings said so far.
     pub warnings: Vec<String>,
+    /// What settling did before the first step.
+    pub settling: Option<SettlingSummary>,
     /// How far the log was written.
     pub log: Option<FilePosition>,
 }

@@ -7,7 +7,7 @@ use super::{
     triangles::gather,
 };
 use crate::{
-    lanes::{self, Kernel, LANES, Lanes},
+    lanes::{self, Kernel, LANES, Lanes, Pair as _},
     mechanics::{
         Vec2,
         joint2::{
@@ -191,24 +191,24 @@ impl Kernel for Sweep<'_> {
             let corners = unsafe { gather::<L, 4>(places, &block.corners) };
             let response = intact::evaluate(&constants, corners, L::load(&block.strength));
             let [[sx, sy], [mx, my], [ex, ey]] = response.point_forces;
-            let mut forces = [L::unpair(sx, sy), L::unpair(mx, my), L::unpair(ex, ey)];
             let softening = response.softening as u8 & block.live;
-            let mut broken = 0;
-            if softening == 0 {
+            if softening == 0 && block.is_plain {
                 response.strength.store(&mut block.strength);
-            } else {
-                let mut strength = response.strength.array();
-                broken = block.soften(softening, law, places, &mut strength, &mut forces);
-                block.strength = strength;
+                if changes_strength {
+                    block.report(step);
+                }
+                let forces = [L::split(sx, sy), L::split(mx, my), L::split(ex, ey)];
+                block.add::<L>(&forces, step);
+                continue;
             }
+            let mut forces = [L::unpair(sx, sy), L::unpair(mx, my), L::unpair(ex, ey)];
+            let mut strength = response.strength.array();
+            let broken = block.soften(softening, law, places, &mut strength, &mut forces);
+            block.strength = strength;
             if changes_strength {
                 block.report(step);
             }
-            if block.is_plain {
-                block.add(&forces, step);
-            } else {
-                block.add_where_owned(&forces, step);
-            }
+            block.add_where_owned(&forces, step);
             if broken != 0 {
                 block.fail(broken, self.law, self.failed);
             }
@@ -265,32 +265,21 @@ impl JointBlock {
         }
     }
 
-    /// Adds the forces to those of nodes that differ, point by point.
+    /// Adds the forces of the start, the middle and the end to those of nodes that differ.
     #[inline(always)]
-    fn add(&self, forces: &PointForces, step: &Step<'_>) {
+    fn add<L: Lanes>(&self, forces: &[[L::Pair; LANES]; 3], step: &Step<'_>) {
+        let [starts, middles, ends] = forces;
         for lane in 0..LANES {
-            let [start, middle, end] = [0, 1, 2].map(|point| Vec2::from(forces[point][lane]));
-            let [a, b, c, d] = self.corners.map(|nodes| nodes[lane] as usize);
+            let (start, middle, end) = (starts[lane], middles[lane], ends[lane]);
+            let [a, b, c, d] = &self.corners;
             // SAFETY: checked by the caller; the domain owns all these nodes
-            unsafe {
-                let a = step.force.entry(a);
-                *a = *a - start - middle;
-            }
-            // SAFETY: as above
-            unsafe {
-                let d = step.force.entry(d);
-                *d = *d + start + middle;
-            }
-            // SAFETY: as above
-            unsafe {
-                let b = step.force.entry(b);
-                *b = *b - middle - end;
-            }
-            // SAFETY: as above
-            unsafe {
-                let c = step.force.entry(c);
-                *c = *c + middle + end;
-            }
+            let force = |node: u32| &mut unsafe { step.force.entry(node as usize) }.data.0[0];
+            let (a, d) = (a[lane], d[lane]);
+            let (b, c) = (b[lane], c[lane]);
+            (L::Pair::load(force(a)) - start - middle).store(force(a));
+            (L::Pair::load(force(d)) + start + middle).store(force(d));
+            (L::Pair::load(force(b)) - middle - end).store(force(b));
+            (L::Pair::load(force(c)) + middle + end).store(force(c));
         }
     }
 

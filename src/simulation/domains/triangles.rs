@@ -9,7 +9,7 @@ use super::{
     owners::Owners,
 };
 use crate::{
-    lanes::{self, Kernel, LANES, Lanes},
+    lanes::{self, Kernel, LANES, Lanes, Pair as _},
     mechanics::{
         Vec2,
         triangle::{
@@ -173,18 +173,18 @@ impl<C: Constants, const VISCOUS: bool, const STRESS: bool> Kernel
                 block.report([xx.array(), xy.array(), yy.array()], step);
             }
             let [[ax, ay], [bx, by], [cx, cy]] = response.forces;
-            let forces = [L::unpair(ax, ay), L::unpair(bx, by), L::unpair(cx, cy)];
             if block.owned == ALL && block.loaded == 0 {
+                let forces = [L::split(ax, ay), L::split(bx, by), L::split(cx, cy)];
                 for lane in 0..LANES {
                     for i in 0..3 {
                         let node = block.corners[i][lane] as usize;
                         // SAFETY: just checked; the domain owns all these nodes
-                        let force = unsafe { step.force.entry(node) };
-                        force.x += forces[i][lane][0];
-                        force.y += forces[i][lane][1];
+                        let force = &mut unsafe { step.force.entry(node) }.data.0[0];
+                        (L::Pair::load(force) + forces[i][lane]).store(force);
                     }
                 }
             } else {
+                let forces = [L::unpair(ax, ay), L::unpair(bx, by), L::unpair(cx, cy)];
                 block.add_where_owned(&forces, self.batch, step);
             }
         }

@@ -1,0 +1,20 @@
+//! The problems, one file each.
+
+mod bar_wave;
+mod column;
+mod impact;
+mod patch;
+mod sliding_block;
+mod two_bars;
+
+use super::problem::Problem;
+
+/// All problems.
+pub const PROBLEMS: [&dyn Problem; 6] = [
+    &bar_wave::BarWave,
+    &patch::Patch,
+    &sliding_block::SlidingBlock,
+    &impact::Impact,
+    &two_bars::TwoBarsContact,
+    &column::SelfWeight,
+];
