@@ -66,10 +66,15 @@ impl Generated {
         }
         lines.extend(self.sum_of_loads());
         let bounds = &self.bounds;
+        let viscosity = if self.properties.sets.iter().any(|set| set.viscosity_pa_s > 0.0) {
+            format!("viscosity alone {:.3e} s", bounds.viscosity_s)
+        } else {
+            "no viscosity".to_owned()
+        };
         lines.push(format!(
-            "time step {:.3e} s; stable below {:.3e} s (stiffness alone {:.3e} s, viscosity alone \
-             {:.3e} s, wave across the flattest triangle {:.3e} s)",
-            self.step_s, bounds.together_s, bounds.stiffness_s, bounds.viscosity_s, bounds.wave_s,
+            "time step {:.3e} s; stable below {:.3e} s (stiffness alone {:.3e} s, {viscosity}, \
+             wave across the flattest triangle {:.3e} s)",
+            self.step_s, bounds.together_s, bounds.stiffness_s, bounds.wave_s,
         ));
         lines
     }

@@ -77,7 +77,7 @@ pub struct Scenario {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize, JsonSchema)]
 #[serde(default, deny_unknown_fields)]
 pub struct RunTimes {
-    /// Time step \[s\]; about half of what is stable if it is not given.
+    /// Time step \[s\]; about three quarters of what is stable if it is not given.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub step_s: Option<f64>,
     /// End of the run \[s\]; when the loads have settled if it is not given.

@@ -34,7 +34,7 @@ pub(super) fn state(
         range: shown.range,
         deformation: shown.deformation,
         title: Some(shown.title),
-        width: 900,
+        width: 640,
         bands: 12,
         ..ContourOptions::new(shown.field)
     };

@@ -130,8 +130,10 @@ impl Loaded {
 }
 
 /// The load is the described one at every instant, and arrives.
-fn load_findings(loaded: &Loaded) -> Result<Vec<Finding>, CaseError> {
+fn load_findings(bench: &Bench, loaded: &Loaded) -> Result<Vec<Finding>, CaseError> {
     let mut findings = Vec::new();
+    // short bridges have not come to rest: a mean over some swings of a tenth is known to 2 %
+    let most = bench.pick(1.0, 1.02);
     for run in &loaded.runs {
         let sums = &run.run.generated.node_sets.sums;
         let worst = sums.iter().map(|s| (s.applied_n - s.described_n).abs()).fold(0.0, f64::max);
@@ -142,7 +144,7 @@ fn load_findings(loaded: &Loaded) -> Result<Vec<Finding>, CaseError> {
         let before = run.ground(run.settled / 2.0, run.settled)?;
         let after = run.ground(last, loaded.end)?;
         let quantity = format!("share of the load on the ground, {}", run.label);
-        findings.push(Finding::range(&quantity, "", [0.8, 1.0], (after - before) / load).noted(
+        findings.push(Finding::range(&quantity, "", [0.8, most], (after - before) / load).noted(
             "Mean reactions after the last quarter less those under self weight. The soil beside the masonry \
              carries the rest by friction.",
         ));
@@ -152,7 +154,7 @@ fn load_findings(loaded: &Loaded) -> Result<Vec<Finding>, CaseError> {
 
 fn evaluate_point(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut loaded = Loaded::of(run_shown(bench)?)?;
-    let mut findings = load_findings(&loaded)?;
+    let mut findings = load_findings(bench, &loaded)?;
     if bench.length() == Length::Full {
         findings.push(loaded.order());
         let ratio = loaded.deflection[2] / loaded.deflection[1];
@@ -200,7 +202,7 @@ height of its samples.";
 
 fn evaluate_distributed(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut loaded = Loaded::of(run_shown(bench)?)?;
-    let mut findings = load_findings(&loaded)?;
+    let mut findings = load_findings(bench, &loaded)?;
     if bench.length() == Length::Full {
         findings.push(loaded.order());
         for k in 0..3 {
@@ -222,7 +224,7 @@ fn evaluate_distributed(bench: &Bench) -> Result<Outcome, CaseError> {
 
 fn evaluate_train(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut loaded = Loaded::of(run_all(bench)?)?;
-    let mut findings = load_findings(&loaded)?;
+    let mut findings = load_findings(bench, &loaded)?;
     findings.push(loaded.order());
     let mut arch = Vec::new();
     for k in 0..3 {
