@@ -19,7 +19,6 @@ const CLOCK_INTERVAL: u64 = 16;
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
 pub struct SettlingSummary {
     /// What was done.
-    #[serde(flatten)]
     pub settled: Settled,
     /// Unbalanced force ratio that was asked for.
     pub tolerance: f64,
