@@ -25,8 +25,8 @@ is 1 m deep; forces are divided by 5 for comparison with the test (0.2 m by the 
 The thesis prints a fracture penalty of 1e6 for both joints, as a stiffness far too soft. Both readings are run:
 
 - `as-printed.toml` takes it for the mortar. Such a joint reaches its strength after 55 mm, never breaks, and carries
-  next to nothing: bricks touch and rub. That is what the thesis must have run: it says of its curve that it goes on
-  rising, as the program could not show what comes from breaking mortar. (With 1e6 inside bricks too, their two triangles come apart
+  next to nothing: bricks touch and rub. This gives the thesis's curve, and explains what the thesis says of it, that
+  the program cannot show what comes from breaking mortar. (With 1e6 inside bricks too, their two triangles come apart
   and the wall loses its load at 0.3 mm.)
 - `scenario.toml` takes 9.02 GPa for the mortar, which is Lourenço's k_n = 82 N/mm³ on a joint of half a brick, and
   141 GPa inside bricks, as in the bridges. Mortar breaks in this one, and shows the crack.",
