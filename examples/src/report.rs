@@ -173,6 +173,8 @@ fn rows(case: &Case, record: Option<&Record>, text: &mut String, counts: &mut [u
         let mut said = verdict(finding);
         if !finding.agrees() {
             let why = if finding.note.is_empty() { "no reason is known" } else { &finding.note };
+            // a row of a table is one line
+            let why = why.replace('\n', " ");
             let _ = write!(said, ": {why}");
         }
         let _ = writeln!(
