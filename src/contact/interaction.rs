@@ -2,6 +2,7 @@
 //! which order, and what becomes of them.
 
 use super::{
+    bodies::Bodies,
     bonds::Bonds,
     couples::CoupleList,
     detection::{Detector, Participants},
@@ -256,19 +257,12 @@ impl Contact {
     /// Adds the contact forces of all couples and drops those that came apart.
     pub fn interact(&mut self, nodes: &Nodes<2>, dt: f64, forces: &mut [Vec2]) {
         self.visits.bodies.update(nodes);
-        let Visits { list, participants, respites, bodies, .. } = &mut self.visits;
-        let step = Step {
-            bodies,
-            velocities: &nodes.velocity,
-            pairs: &self.pairs,
-            dt,
-            buffer: self.settings.buffer,
-            path: self.path,
-            advance: self.advance,
-            rests: self.rests,
-            evaluation: self.evaluations as f64,
-        };
-        let done = self.evaluator.evaluate(&step, list, participants, respites.as_mut(), forces);
+        let mut visits = std::mem::take(&mut self.visits);
+        let mut evaluator = std::mem::take(&mut self.evaluator);
+        let Visits { list, participants, respites, bodies, .. } = &mut visits;
+        let step = self.step(bodies, nodes, dt);
+        let done = evaluator.evaluate(&step, list, participants, respites.as_mut(), forces);
+        (self.visits, self.evaluator) = (visits, evaluator);
         self.take_stock(done);
     }
 
@@ -283,8 +277,17 @@ impl Contact {
         forces: &mut [Vec2],
     ) {
         self.visits.bodies.update_shapes(nodes);
-        let Visits { list, respites, bodies, .. } = &mut self.visits;
-        let step = Step {
+        let mut visits = std::mem::take(&mut self.visits);
+        let Visits { list, respites, bodies, .. } = &mut visits;
+        let step = self.step(bodies, nodes, dt);
+        let model = self.settings.friction;
+        let done = evaluate_in_order(&step, list, respites, model, faces, tally, forces);
+        self.visits = visits;
+        self.take_stock(done);
+    }
+
+    fn step<'a>(&'a self, bodies: &'a Bodies, nodes: &'a Nodes<2>, dt: f64) -> Step<'a> {
+        Step {
             bodies,
             velocities: &nodes.velocity,
             pairs: &self.pairs,
@@ -294,10 +297,7 @@ impl Contact {
             advance: self.advance,
             rests: self.rests,
             evaluation: self.evaluations as f64,
-        };
-        let model = self.settings.friction;
-        let done = evaluate_in_order(&step, list, respites, model, faces, tally, forces);
-        self.take_stock(done);
+        }
     }
 
     fn take_stock(&mut self, done: Done) {
