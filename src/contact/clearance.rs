@@ -217,10 +217,10 @@ mod tests {
         (unit_number(), unit_number()).prop_map(|(x, y)| Vec2::new(x, y))
     }
 
-    /// How close two triangles are.
-    fn proximity(corners: &[[Vec2; 3]; 2], buffer: f64) -> Proximity {
+    /// How close two triangles are, their sliding from none, and what they exert.
+    fn evaluated(corners: &[[Vec2; 3]; 2], buffer: f64) -> (Proximity, [f64; 6], [SideForces; 2]) {
         let shapes = corners.map(Shape::new);
-        let motion = Motion::new([Vec2::zeros(); 3]);
+        let motion = Motion::new([Vec2::new(1.0, 2.0); 3]);
         let couple = Couple {
             shapes: [&shapes[0], &shapes[1]],
             motions: [&motion; 2],
@@ -228,8 +228,9 @@ mod tests {
             dt: 1e-3,
             drop_distance_squared: 4.0 * buffer * buffer,
         };
-        let mut sides = [SideForces::default(); 2];
-        overlap(&couple, &mut { couple.pair }, &mut [0.0; 6], &mut sides)
+        let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
+        let proximity = overlap(&couple, &mut { couple.pair }, &mut sliding, &mut sides);
+        (proximity, sliding, sides)
     }
 
     proptest! {
@@ -273,19 +274,9 @@ mod tests {
             prop_assert!(stay >= free);
             let moved = at(&nodes, stay);
             if stay > 0.0 && area(&moved[0]) > 0.0 && area(&moved[1]) > 0.0 {
-                prop_assert!(proximity(&moved, buffer) != Proximity::Beyond);
+                prop_assert!(evaluated(&moved, buffer).0 != Proximity::Beyond);
             }
-            let shapes = at(&nodes, free).map(Shape::new);
-            let motion = Motion::new([Vec2::new(1.0, 2.0); 3]);
-            let couple = Couple {
-                shapes: [&shapes[0], &shapes[1]],
-                motions: [&motion; 2],
-                pair: &PairProperties { penalty: 1e9, tangential_penalty: 1e8, friction: 0.5 },
-                dt: 1e-3,
-                drop_distance_squared: 4.0 * buffer * buffer,
-            };
-            let (mut sliding, mut sides) = ([0.0; 6], [SideForces::default(); 2]);
-            let proximity = overlap(&couple, &mut { couple.pair }, &mut sliding, &mut sides);
+            let (proximity, sliding, sides) = evaluated(&at(&nodes, free), buffer);
             if free > 0.0 {
                 prop_assert_eq!(proximity, Proximity::Clear);
                 prop_assert_eq!(sliding, [0.0; 6]);
