@@ -1,38 +1,9 @@
 //! The masonry cases in their short variants: large blocks, loads that come and go fast.
 
-use ypsilon_examples::{Bench, Finding, Length, cases};
+mod support;
 
-/// Runs a case and checks that every judged finding agrees.
-fn check(name: &str) {
-    let case = cases::find(name).expect("a case");
-    let work = tempfile::tempdir().expect("a folder");
-    let bench = Bench::new(case, work.path(), Length::Short);
-    let outcome = (case.evaluate)(&bench).unwrap_or_else(|error| panic!("{name}: {error}"));
-    let differing: Vec<&Finding> = outcome.findings.iter().filter(|f| !f.agrees()).collect();
-    assert!(differing.is_empty(), "{name}: {differing:#?}");
-    assert!(outcome.findings.iter().any(Finding::is_judged), "{name} judges nothing");
-}
-
-macro_rules! cases {
-    ($($test:ident: $name:literal;)*) => {
-        $(#[test]
-        fn $test() {
-            check($name);
-        })*
-
-        #[test]
-        fn no_case_of_these_groups_is_left_out() {
-            use ypsilon_examples::Group::{Bridges, MasonryWall};
-            let here = [$($name),*];
-            for case in cases::all() {
-                let is_here = here.contains(&case.name);
-                assert_eq!(is_here, matches!(case.group, Bridges | MasonryWall), "{}", case.name);
-            }
-        }
-    };
-}
-
-cases! {
+support::test_cases! {
+    Bridges | MasonryWall =>
     bridges_are_symmetric_under_self_weight: "self-weight";
     symmetry_needs_a_symmetric_mesh: "mesh-symmetry";
     a_point_load_arrives_at_the_ground: "point-load";
