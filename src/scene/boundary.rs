@@ -1,3 +1,4 @@
+use crate::mechanics::triangle;
 use nalgebra::{Matrix2, SMatrix};
 
 /// What a node set prescribes along one local axis.
@@ -39,6 +40,16 @@ pub struct NodeSet<const D: usize> {
     /// Whether its nodes are moved at all: in the classic dialect only sets of
     /// the type of nodes are.
     pub moves: bool,
+}
+
+impl NodeSet<2> {
+    /// Inverse of the matrix of the local axes.
+    #[must_use]
+    pub fn inverse_axes(&self) -> SMatrix<f64, 2, 2> {
+        let axes = &self.axes;
+        let determinant = axes[(0, 0)] * axes[(1, 1)] - axes[(1, 0)] * axes[(0, 1)];
+        triangle::inverse(axes, determinant)
+    }
 }
 
 /// Staged loading of the classic dialect: nothing until the scene has settled,

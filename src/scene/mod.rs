@@ -97,6 +97,16 @@ impl Scene {
         usize::try_from(self.elements.property[element]).ok().and_then(|p| self.materials.get(p))
     }
 
+    /// Factor on the amplitudes of a node set at `time`: that of the load-time history if it is
+    /// active, otherwise that of staged loading.
+    #[must_use]
+    pub fn load_factor(&self, set: usize, time: f64) -> f64 {
+        match self.load_history.as_ref().filter(|history| history.is_active()) {
+            Some(history) => history.factor(set, time),
+            None => self.ramp.map_or(1.0, |ramp| ramp.factor(time)),
+        }
+    }
+
     /// Whether a point (initial coordinates, m) lies strictly inside an elastic
     /// triangle.
     #[must_use]

@@ -1,7 +1,7 @@
 use super::{Simulation, free_motion::Free, plan::MotionPhase};
 use crate::{
     TOLERANCE,
-    mechanics::{Vec2, rigid_triangle, triangle},
+    mechanics::{Vec2, rigid_triangle},
     scene::{Condition, NodeSet, Nodes},
 };
 use nalgebra::Matrix2;
@@ -19,13 +19,11 @@ struct Drive {
 
 impl Drive {
     fn new(set: &NodeSet<2>, factor: f64, gravity: f64, dt: f64) -> Self {
-        let axes = set.axes;
-        let determinant = axes[(0, 0)] * axes[(1, 1)] - axes[(1, 0)] * axes[(0, 1)];
         // multiplying by global axes changes nothing but the sign of a zero, which
         // only a prescribed velocity can bring in
         let prescribed = set.conditions.contains(&Condition::Velocity);
-        let frame = (prescribed || axes != Matrix2::identity())
-            .then(|| (axes, triangle::inverse(&axes, determinant)));
+        let frame =
+            (prescribed || set.axes != Matrix2::identity()).then(|| (set.axes, set.inverse_axes()));
         let amplitudes = set.amplitudes.map(|a| a * factor);
         Self { conditions: set.conditions, amplitudes, gravity, dt, frame }
     }
@@ -102,9 +100,7 @@ impl Simulation {
         let control = &self.scene.control;
         let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
         let runs = &self.plan.node_runs[runs];
-        let ramp = self.scene.ramp.map_or(1.0, |ramp| ramp.factor(time));
-        let history = self.scene.load_history.as_ref().filter(|h| h.is_active());
-        let factor = history.map_or(ramp, |h| h.factor(set, time));
+        let factor = self.scene.load_factor(set, time);
         let drive = Drive::new(&self.scene.node_sets[set], factor, gravity, dt);
         if !self.contact_force.is_empty() {
             for n in runs.iter().flat_map(|run| run.start as usize..run.end as usize) {

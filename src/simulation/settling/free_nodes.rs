@@ -3,7 +3,7 @@
 use super::super::Simulation;
 use crate::{
     TOLERANCE,
-    mechanics::{Vec2, triangle},
+    mechanics::Vec2,
     scene::{Condition, Nodes},
 };
 use nalgebra::Matrix2;
@@ -11,15 +11,6 @@ use nalgebra::Matrix2;
 /// Whether a condition keeps a node where it is: prescribed velocities are held at zero.
 pub(super) fn holds(condition: Condition) -> bool {
     matches!(condition, Condition::Velocity | Condition::Frozen)
-}
-
-/// Factor on the amplitudes of a node set at the present instant.
-pub(super) fn load_factor(simulation: &Simulation, set: usize) -> f64 {
-    let (scene, time) = (&simulation.scene, simulation.time);
-    match scene.load_history.as_ref().filter(|h| h.is_active()) {
-        Some(history) => history.factor(set, time),
-        None => scene.ramp.map_or(1.0, |ramp| ramp.factor(time)),
-    }
 }
 
 /// What a node set does to the forces on its nodes.
@@ -55,7 +46,7 @@ impl FreeNodes {
     pub fn of(simulation: &Simulation) -> Self {
         let scene = &simulation.scene;
         let constraints = scene.node_sets.iter().enumerate().map(|(index, set)| {
-            let factor = load_factor(simulation, index);
+            let factor = scene.load_factor(index, simulation.time);
             let along = |kind: Condition| {
                 let amplitude = |k: usize| match set.conditions[k] == kind {
                     true => set.amplitudes[k] * factor,
@@ -64,13 +55,11 @@ impl FreeNodes {
                 Vec2::new(amplitude(0), amplitude(1))
             };
             let held = set.conditions.map(holds);
-            let axes = set.axes;
-            let is_global = axes == Matrix2::identity() && held == [false; 2];
-            let determinant = axes[(0, 0)] * axes[(1, 1)] - axes[(1, 0)] * axes[(0, 1)];
+            let is_global = set.axes == Matrix2::identity() && held == [false; 2];
             Constraint {
                 force: along(Condition::Force),
                 acceleration: along(Condition::Acceleration),
-                axes: (!is_global).then(|| (axes, triangle::inverse(&axes, determinant), held)),
+                axes: (!is_global).then(|| (set.axes, set.inverse_axes(), held)),
             }
         });
         let constraints: Vec<Constraint> = constraints.collect();

@@ -1,9 +1,7 @@
 //! Scenes that settling would make nonsense of.
 
 use super::{
-    super::Simulation,
-    SettlingFault, SettlingOptions, Unsettleable,
-    free_nodes::{holds, load_factor},
+    super::Simulation, SettlingFault, SettlingOptions, Unsettleable, free_nodes::holds,
     loads::DistributedLoads,
 };
 use crate::scene::{Condition, ElementKind, NodeSet, Scene};
@@ -27,7 +25,7 @@ impl Simulation {
 
     fn nodal_loads_act(&self) -> bool {
         let loaded = |(index, set): (usize, &NodeSet<2>)| {
-            let factor = load_factor(self, index);
+            let factor = self.scene.load_factor(index, self.time);
             let along = |k: usize| !holds(set.conditions[k]) && set.amplitudes[k] * factor != 0.0;
             along(0) || along(1)
         };
