@@ -48,7 +48,7 @@ pub(super) fn deck(
     builder = nodes(builder, model, node_sets);
     builder = elements(builder, model, properties);
     builder = contact(builder, model, run);
-    builder = histories(builder);
+    builder = builder.comment("history 0: kinetic energy").kinetic_energy_history(5e-4);
     builder = materials(builder, properties);
     if let Some(joints) = &model.joints {
         builder = joint_sets(builder, [&joints.inside, &joints.mortar]);
@@ -174,21 +174,6 @@ fn contact(builder: DeckBuilder, model: &Model, run: RunTimes) -> DeckBuilder {
 /// Two significant digits.
 fn round(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
-}
-
-fn histories(builder: DeckBuilder) -> DeckBuilder {
-    builder
-        .comment("history 0: kinetic energy")
-        .integer("YDO/MOHYS", 1)
-        .integer("YDO/NOHYS", 1)
-        .real("YDO/DOHYP", 5e-4)
-        .reals("YDO/D1OHYC", vec![1.0])
-        .reals("YDO/D1OHYF", vec![1.0])
-        .reals("YDO/D1OHYS", vec![0.0])
-        .reals("YDO/D1OHYT", vec![0.0])
-        .reals("YDO/D1OHYX", vec![0.0])
-        .reals("YDO/D1OHYY", vec![0.0])
-        .integers("YDO/I1OHYT", vec![15])
 }
 
 fn materials(builder: DeckBuilder, properties: &PropertySets) -> DeckBuilder {

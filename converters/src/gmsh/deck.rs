@@ -63,7 +63,7 @@ pub fn skeleton(mesh: &Mesh, source: &str) -> Result<Skeleton, GmshError> {
     let builder = node_sets(builder, mesh, &plane);
     let builder = elements(builder, &plane);
     let builder = interaction(builder, &plane, size);
-    let builder = histories(builder);
+    let builder = builder.comment("History: the kinetic energy").kinetic_energy_history(0.05);
     let builder = element_sets(builder, mesh, &plane, size);
     let builder = joint_sets(builder, &plane);
     Ok(Skeleton { deck: builder.run().stop().build(), warnings: plane.warnings })
@@ -217,21 +217,6 @@ fn interaction(builder: DeckBuilder, plane: &PlaneMesh, size: f64) -> DeckBuilde
         .integer("YDI/IIECFF", -2)
         .real("YDI/DIEDI", 200.0)
         .real("YDI/DIEZON", rounded(0.2 * size))
-}
-
-fn histories(builder: DeckBuilder) -> DeckBuilder {
-    builder
-        .comment("History: the kinetic energy")
-        .integer("YDO/MOHYS", 1)
-        .integer("YDO/NOHYS", 1)
-        .real("YDO/DOHYP", 0.05)
-        .reals("YDO/D1OHYC", vec![1.0])
-        .reals("YDO/D1OHYF", vec![1.0])
-        .reals("YDO/D1OHYS", vec![0.0])
-        .reals("YDO/D1OHYT", vec![0.0])
-        .reals("YDO/D1OHYX", vec![0.0])
-        .reals("YDO/D1OHYY", vec![0.0])
-        .integers("YDO/I1OHYT", vec![15])
 }
 
 fn element_sets(

@@ -104,7 +104,7 @@ impl PlaneDeck {
                 .real("YDI/DIEDI", 200.0)
                 .integer("YDI/MISTATE", 6),
         };
-        let builder = materials(kinetic_energy(builder));
+        let builder = materials(builder.kinetic_energy_history(5e-4));
         match self.joints {
             None => builder,
             Some(joints) => insertion(builder, joints),
@@ -113,21 +113,6 @@ impl PlaneDeck {
         .stop()
         .build()
     }
-}
-
-/// History 0: the kinetic energy, every half millisecond.
-fn kinetic_energy(builder: DeckBuilder) -> DeckBuilder {
-    builder
-        .integer("YDO/MOHYS", 1)
-        .integer("YDO/NOHYS", 1)
-        .real("YDO/DOHYP", 5e-4)
-        .reals("YDO/D1OHYC", vec![1.0])
-        .reals("YDO/D1OHYF", vec![1.0])
-        .reals("YDO/D1OHYS", vec![0.0])
-        .reals("YDO/D1OHYT", vec![0.0])
-        .reals("YDO/D1OHYX", vec![0.0])
-        .reals("YDO/D1OHYY", vec![0.0])
-        .integers("YDO/I1OHYT", vec![15])
 }
 
 /// Young's modulus 25 GPa, Poisson's ratio 0.2.

@@ -44,6 +44,25 @@ impl DeckBuilder {
         self.item(ItemKind::Comment(text.into()))
     }
 
+    /// One history: the kinetic energy. `threshold` is the relative change (`DOHYP`) from which
+    /// on its value is renewed.
+    ///
+    /// # Panics
+    /// If the dialect has no such histories.
+    #[must_use]
+    pub fn kinetic_energy_history(self, threshold: f64) -> Self {
+        self.integer("YDO/MOHYS", 1)
+            .integer("YDO/NOHYS", 1)
+            .real("YDO/DOHYP", threshold)
+            .reals("YDO/D1OHYC", vec![1.0])
+            .reals("YDO/D1OHYF", vec![1.0])
+            .reals("YDO/D1OHYS", vec![0.0])
+            .reals("YDO/D1OHYT", vec![0.0])
+            .reals("YDO/D1OHYX", vec![0.0])
+            .reals("YDO/D1OHYY", vec![0.0])
+            .integers("YDO/I1OHYT", vec![15])
+    }
+
     /// An integer scalar.
     ///
     /// # Panics
