@@ -3,7 +3,7 @@
 use super::placement::{Motion, Shape};
 use crate::{
     lanes::{LANES, Lanes, each},
-    mechanics::Vec2,
+    mechanics::{Vec2, triangle},
     scene::{Elements, Nodes},
 };
 
@@ -21,8 +21,9 @@ pub(super) struct Body {
 impl Body {
     /// The triangle with these corners.
     #[inline(always)]
-    pub fn new([p, q, r]: [Vec2; 3]) -> Self {
-        let double_area = (q.x - p.x) * (r.y - p.y) - (q.y - p.y) * (r.x - p.x);
+    pub fn new(corners: [Vec2; 3]) -> Self {
+        let double_area = triangle::double_area(&corners);
+        let [p, q, r] = corners;
         Self { rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, double_area, 0.0]] }
     }
 

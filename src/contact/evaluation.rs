@@ -1,9 +1,8 @@
 //! Evaluates the couples of a step, four at a time and on all threads where there are many.
 //!
 //! A chunk of couples goes through these passes: couples that rest or certainly have no effect
-//! are passed over ([`certain`](super::certain)); the others are located exactly
-//! ([`locate`](super::locate)); the edges that have to be cut are collected and cut
-//! ([`edges`](super::edges)); the forces are added in the order of the list. Couples are
+//! are passed over ([`certain`](super::certain)); the others are evaluated
+//! ([`exertion`](super::exertion)); the forces are added in the order of the list. Couples are
 //! independent of each other but for that last pass, so that sums round the same on any number
 //! of threads.
 
@@ -77,6 +76,11 @@ impl Step<'_> {
             .then_some(self.path + free)
     }
 
+    /// Square of the distance beyond which a couple is dropped, m².
+    pub fn drop_distance_squared(&self) -> f64 {
+        4.0 * self.buffer * self.buffer
+    }
+
     #[inline(always)]
     pub fn bodies_of(&self, participants: [u32; 2]) -> [&Body; 2] {
         each!(2, |t| &self.bodies.bodies[participants[t] as usize])
@@ -96,9 +100,9 @@ impl Step<'_> {
     #[cold]
     #[inline(never)]
     fn ask(&self, participants: [u32; 2], respites: &mut RespitesMut<'_>, index: usize) {
-        let ids = participants.map(|p| &self.bodies.corners[p as usize]);
+        let nodes = self.nodes_of(participants);
         let corners = self.bodies_of(participants).map(Body::corners);
-        let Clearance { rest, stay } = clearance(ids, &corners, self.buffer);
+        let Clearance { rest, stay } = clearance(nodes, &corners, self.buffer);
         if let Some(path) = self.rest(rest) {
             respites.rest[index] = path;
         } else {
@@ -116,7 +120,7 @@ impl Step<'_> {
     fn is_beyond(&self, participants: [u32; 2]) -> bool {
         let [target, contactor] = self.bodies_of(participants).map(Body::shape);
         let shapes = [&target, &contactor];
-        Placement::new(shapes).is_beyond(shapes, 4.0 * self.buffer * self.buffer)
+        Placement::new(shapes).is_beyond(shapes, self.drop_distance_squared())
     }
 }
 
@@ -132,7 +136,7 @@ pub(super) struct Touch {
 #[derive(Debug, Clone, Default)]
 struct Chunk {
     counts: Counts,
-    /// Couples to be located, by their place in the chunk.
+    /// Couples to be evaluated, by their place in the chunk.
     asked: Vec<u32>,
     touches: Vec<Touch>,
     done: Done,
@@ -145,11 +149,12 @@ struct Counts {
     touches: usize,
 }
 
-/// The couples of a chunk.
-struct Couples<'a> {
-    visits: &'a mut [Visit],
-    participants: &'a [[u32; 2]],
-    respites: RespitesMut<'a>,
+/// Some couples in the order of the list.
+pub(super) struct Couples<'a> {
+    pub visits: &'a mut [Visit],
+    /// Their places among the bodies.
+    pub participants: &'a [[u32; 2]],
+    pub respites: RespitesMut<'a>,
 }
 
 /// Buffers reused from step to step.
@@ -160,14 +165,8 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     /// Evaluates the couples and adds their forces, in the order of the list.
-    pub fn evaluate(
-        &mut self,
-        step: &Step<'_>,
-        list: &mut [Visit],
-        participants: &[[u32; 2]],
-        respites: RespitesMut<'_>,
-        forces: &mut [Vec2],
-    ) -> Done {
+    pub fn evaluate(&mut self, step: &Step<'_>, couples: Couples<'_>, forces: &mut [Vec2]) -> Done {
+        let Couples { visits: list, participants, respites } = couples;
         let threads = rayon::current_num_threads();
         let mut done = Done::default();
         if threads > 1 && list.len() >= PARALLEL_FROM {
@@ -182,7 +181,7 @@ impl Evaluator {
                     chunk.evaluate(step, Couples { visits, participants, respites });
                 });
             for chunk in &self.chunks[..chunks] {
-                chunk.scatter(&step.bodies.corners, forces);
+                chunk.scatter(step, forces);
                 done = done.and(chunk.done);
             }
         } else {
@@ -191,7 +190,7 @@ impl Evaluator {
             let lists = list.chunks_mut(SERIAL_CHUNK).zip(participants.chunks(SERIAL_CHUNK));
             for ((visits, participants), respites) in lists.zip(respites.chunks(SERIAL_CHUNK)) {
                 chunk.evaluate(step, Couples { visits, participants, respites });
-                chunk.scatter(&step.bodies.corners, forces);
+                chunk.scatter(step, forces);
                 done = done.and(chunk.done);
             }
         }
@@ -220,10 +219,9 @@ impl Chunk {
     }
 
     /// Adds the forces in the order of the couples.
-    fn scatter(&self, corners: &[[u32; 3]], forces: &mut [Vec2]) {
+    fn scatter(&self, step: &Step<'_>, forces: &mut [Vec2]) {
         for touch in &self.touches[..self.counts.touches] {
-            let nodes = touch.participants.map(|p| &corners[p as usize]);
-            touch.exertion.scatter(nodes, forces);
+            touch.exertion.scatter(step.nodes_of(touch.participants), forces);
         }
     }
 }

@@ -5,9 +5,9 @@
 
 use super::{
     clearance::clearance,
-    evaluation::{Done, Step},
+    evaluation::{Couples, Done, Step},
     overlap2::{Couple, EdgeContact, Proximity, SideForces, TangentialLaw, overlap},
-    visits::{Respites, Visit, unlink},
+    visits::unlink,
 };
 use crate::{
     mechanics::Vec2,
@@ -133,13 +133,13 @@ impl<F: FractureFaces> TangentialLaw for FractureFriction<'_, F> {
 /// Evaluates the couples in the order of the list and adds their forces.
 pub(super) fn evaluate_in_order(
     step: &Step<'_>,
-    list: &mut [Visit],
-    respites: &mut Respites,
+    couples: Couples<'_>,
     model: FrictionModel,
     faces: &impl FractureFaces,
     mut tally: Option<&mut Tally>,
     forces: &mut [Vec2],
 ) -> Done {
+    let Couples { visits: list, participants, respites } = couples;
     let mut done = Done::default();
     let mut sides = [SideForces::default(); 2];
     let mut last_angle = 0.0;
@@ -149,14 +149,15 @@ pub(super) fn evaluate_in_order(
             continue;
         }
         done.evaluated += 1;
-        let [target, contactor] = visit.participants.map(|p| p as usize);
+        let [target, contactor] = participants[index].map(|p| p as usize);
+        let nodes = step.nodes_of(participants[index]);
         let pair = step.pairs.properties(visit.pair);
         let couple = Couple {
             shapes: [&step.bodies.shapes[target], &step.bodies.shapes[contactor]],
             motions: [&step.bodies.motions[target], &step.bodies.motions[contactor]],
             pair,
             dt: step.dt,
-            drop_distance_squared: 4.0 * step.buffer * step.buffer,
+            drop_distance_squared: step.drop_distance_squared(),
         };
         let mut law = FractureFriction {
             pair,
@@ -169,10 +170,8 @@ pub(super) fn evaluate_in_order(
         };
         match overlap(&couple, &mut law, &mut visit.sliding, &mut sides) {
             Proximity::Near => {
-                let [target, contactor] =
-                    [&step.bodies.corners[target], &step.bodies.corners[contactor]];
-                sides[0].scatter(target, contactor, forces);
-                sides[1].scatter(contactor, target, forces);
+                sides[0].scatter(nodes[0], nodes[1], forces);
+                sides[1].scatter(nodes[1], nodes[0], forces);
             }
             Proximity::Beyond => {
                 visit.is_dropped = true;
@@ -180,9 +179,8 @@ pub(super) fn evaluate_in_order(
                 unlink(list, index);
             }
             Proximity::Clear if step.rests => {
-                let ids = [&step.bodies.corners[target], &step.bodies.corners[contactor]];
                 let corners = [couple.shapes[0].corners(), couple.shapes[1].corners()];
-                let free = clearance(ids, &corners, step.buffer).rest;
+                let free = clearance(nodes, &corners, step.buffer).rest;
                 respites.rest[index] = step.rest(free).unwrap_or(0.0);
             }
             Proximity::Clear => {}

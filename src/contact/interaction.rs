@@ -259,9 +259,8 @@ impl Contact {
         self.visits.bodies.update(nodes);
         let mut visits = std::mem::take(&mut self.visits);
         let mut evaluator = std::mem::take(&mut self.evaluator);
-        let Visits { list, participants, respites, bodies, .. } = &mut visits;
-        let step = self.step(bodies, nodes, dt);
-        let done = evaluator.evaluate(&step, list, participants, respites.as_mut(), forces);
+        let (bodies, couples) = visits.couples();
+        let done = evaluator.evaluate(&self.step(bodies, nodes, dt), couples, forces);
         (self.visits, self.evaluator) = (visits, evaluator);
         self.take_stock(done);
     }
@@ -278,10 +277,9 @@ impl Contact {
     ) {
         self.visits.bodies.update_shapes(nodes);
         let mut visits = std::mem::take(&mut self.visits);
-        let Visits { list, respites, bodies, .. } = &mut visits;
-        let step = self.step(bodies, nodes, dt);
-        let model = self.settings.friction;
-        let done = evaluate_in_order(&step, list, respites, model, faces, tally, forces);
+        let (bodies, couples) = visits.couples();
+        let (step, model) = (self.step(bodies, nodes, dt), self.settings.friction);
+        let done = evaluate_in_order(&step, couples, model, faces, tally, forces);
         self.visits = visits;
         self.take_stock(done);
     }

@@ -1,12 +1,12 @@
 //! The couples in the order of their evaluation, with the shapes of the
 //! elements that they need.
 
-use super::{bodies::Bodies, couples::CoupleList, friction::PairTable};
+use super::{bodies::Bodies, couples::CoupleList, evaluation::Couples, friction::PairTable};
 use crate::scene::Elements;
 use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
-/// No place among the participants.
+/// No place in the list.
 const NOWHERE: u32 = u32::MAX;
 
 /// A couple in the order of evaluation.
@@ -19,8 +19,6 @@ pub(super) struct Visit {
     pub rank: u32,
     /// Index of the couple's contact properties.
     pub pair: u32,
-    /// Places of target and contactor among the participants.
-    pub participants: [u32; 2],
     /// Whether the couple came apart in this step.
     pub is_dropped: bool,
     pub contactor: u32,
@@ -36,14 +34,12 @@ pub(super) struct Visit {
 
 #[cfg(test)]
 impl Visit {
-    /// A couple of these participants with some sliding.
-    pub fn between(participants: [u32; 2], sliding: [f64; 6]) -> Self {
-        let [target, contactor] = participants;
+    /// A couple of these elements with some sliding.
+    pub fn between([target, contactor]: [u32; 2], sliding: [f64; 6]) -> Self {
         Self {
             sliding,
             rank: 0,
             pair: 0,
-            participants,
             is_dropped: false,
             contactor,
             target,
@@ -152,6 +148,12 @@ pub(super) fn unlink(list: &mut [Visit], index: usize) {
 }
 
 impl Visits {
+    /// The participants and all couples.
+    pub fn couples(&mut self) -> (&Bodies, Couples<'_>) {
+        let Self { list, participants, respites, bodies, .. } = self;
+        (bodies, Couples { visits: list, participants, respites: respites.as_mut() })
+    }
+
     /// Gives sliding and rest of all couples back to their slots.
     pub fn store(&self, couples: &mut CoupleList) {
         for (visit, &rest) in self.list.iter().zip(&self.respites.rest) {
@@ -176,7 +178,6 @@ impl Visits {
                     sliding: *couples.sliding(slot),
                     rank,
                     pair: pairs.along_fracture(elements, contactor, target).unwrap_or(rank),
-                    participants: [target, contactor].map(|e| self.bodies.place_of(e, elements)),
                     is_dropped: false,
                     contactor,
                     target,
@@ -195,7 +196,8 @@ impl Visits {
         self.participants.clear();
         for visit in &self.list {
             self.respites.push(couples.rest(visit.slot));
-            self.participants.push(visit.participants);
+            let couple = [visit.target, visit.contactor];
+            self.participants.push(couple.map(|e| self.bodies.place_of(e, elements)));
         }
     }
 
@@ -226,8 +228,8 @@ impl Visits {
         }
         let list = &self.list;
         self.respites.retain(|index| !list[index].is_dropped);
+        let mut places = list.iter();
+        self.participants.retain(|_| places.next().is_some_and(|visit| !visit.is_dropped));
         self.list.retain(|visit| !visit.is_dropped);
-        self.participants.clear();
-        self.participants.extend(self.list.iter().map(|visit| visit.participants));
     }
 }

@@ -244,6 +244,7 @@ pub fn contains(corners: &[Vec2; 3], point: Vec2) -> bool {
 }
 
 /// Twice the area of a triangle, m²; negative if its corners run clockwise.
+#[inline]
 #[must_use]
 pub fn double_area(corners: &[Vec2; 3]) -> f64 {
     determinant(&edges(corners))
