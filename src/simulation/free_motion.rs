@@ -2,7 +2,7 @@
 
 use crate::{
     TOLERANCE,
-    lanes::{self, Kernel, LANES, Lanes},
+    lanes::{self, Kernel, LANES, Lanes, Mask as _},
     mechanics::Vec2,
     scene::Nodes,
 };
@@ -40,8 +40,7 @@ impl Free {
             force: &force[run.clone()],
             mass: &mass[run],
         };
-        let threads = rayon::current_num_threads();
-        self.advance_part(part, if threads > 1 { threads } else { 1 });
+        self.advance_part(part, rayon::current_num_threads());
     }
 
     fn advance_part(&self, part: Part<'_>, threads: usize) {
@@ -111,7 +110,6 @@ impl Kernel for Advance<'_> {
         let four = current.by_ref().zip(velocity.by_ref()).zip(force.by_ref().zip(mass.by_ref()));
         for ((x, v), (f, m)) in four {
             let m: &[f64; LANES] = m.try_into().unwrap_or_else(|_| unreachable!("four"));
-            use crate::lanes::Mask as _;
             if tolerance.lt(L::load(m)).all() {
                 for half in [0, 2] {
                     let mass = L::new([m[half], m[half], m[half + 1], m[half + 1]]);
