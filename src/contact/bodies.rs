@@ -10,21 +10,26 @@ use crate::{
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
 
-/// Corners and area of a triangle in one cache line.
+/// Corners and area of a triangle in one cache line, their velocities in the next.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(super) struct Body {
     /// x and y of corners 0 and 1; x and y of corner 2, twice the area, nothing.
     rows: [[f64; 4]; 2],
+    /// The same of velocities: x and y of corners 0 and 1; x and y of corner 2, nothing.
+    motion: [[f64; 4]; 2],
 }
 
 impl Body {
-    /// The triangle with these corners.
+    /// The triangle with these corners, and their velocities.
     #[inline(always)]
-    pub fn new(corners: [Vec2; 3]) -> Self {
+    pub fn new(corners: [Vec2; 3], velocities: [Vec2; 3]) -> Self {
         let double_area = triangle::double_area(&corners);
-        let [p, q, r] = corners;
-        Self { rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, double_area, 0.0]] }
+        let ([p, q, r], [u, v, w]) = (corners, velocities);
+        Self {
+            rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, double_area, 0.0]],
+            motion: [[u.x, u.y, v.x, v.y], [w.x, w.y, 0.0, 0.0]],
+        }
     }
 
     /// Corner `i`.
@@ -69,6 +74,14 @@ impl<L: Lanes> Triangles<L> {
     }
 }
 
+/// Velocities of the corners of four triangles, one per lane.
+#[inline(always)]
+pub(super) fn velocities_of<L: Lanes>(bodies: [&Body; LANES]) -> [[L; 2]; 3] {
+    let [x0, y0, x1, y1] = L::transpose(each!(4, |k| L::load(&bodies[k].motion[0])));
+    let [x2, y2, _, _] = L::transpose(each!(4, |k| L::load(&bodies[k].motion[1])));
+    [[x0, y0], [x1, y1], [x2, y2]]
+}
+
 /// All participants of couples.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bodies {
@@ -84,10 +97,13 @@ pub(super) struct Bodies {
 }
 
 impl Bodies {
-    /// Triangles with these corner nodes.
+    /// Triangles with these corner nodes, given their places and velocities.
     #[cfg(test)]
-    pub fn of(corners: Vec<[u32; 3]>, nodes: &[Vec2]) -> Self {
-        let at = |corners: &[u32; 3]| Body::new(corners.map(|n| nodes[n as usize]));
+    pub fn of(corners: Vec<[u32; 3]>, places: &[Vec2], velocities: &[Vec2]) -> Self {
+        let at = |corners: &[u32; 3]| {
+            let of = |values: &[Vec2]| corners.map(|n| values[n as usize]);
+            Body::new(of(places), of(velocities))
+        };
         Self { bodies: corners.iter().map(at).collect(), corners, ..Self::default() }
     }
 
@@ -108,12 +124,16 @@ impl Bodies {
         *place
     }
 
-    /// Takes over the present positions.
+    /// Takes over the present positions and velocities.
     pub fn update(&mut self, nodes: &Nodes<2>) {
         self.bodies.resize(self.corners.len(), Body::default());
-        let current = &nodes.current;
-        for (body, corners) in self.bodies.iter_mut().zip(&self.corners) {
-            *body = Body::new(corners.map(|n| current[n as usize]));
+        let Nodes { current, velocity, .. } = nodes;
+        for (body, &[p, q, r]) in self.bodies.iter_mut().zip(&self.corners) {
+            let [p, q, r] = [p as usize, q as usize, r as usize];
+            *body = Body::new(
+                [current[p], current[q], current[r]],
+                [velocity[p], velocity[q], velocity[r]],
+            );
         }
     }
 

@@ -4,7 +4,8 @@
 //! lies clear of the other triangle. There, area coordinates are held against the tolerance; here,
 //! the twice-areas over which they are fractions are held against the tolerance times the area,
 //! less a margin for rounding. No division is needed, and what is found clear is clear there, too:
-//! a quotient below T(1 - 4ε) rounds to a number below T.
+//! a quotient below T(1 - 4ε) rounds to a number below T. Triangles with a coordinate that is no
+//! number have an area that is none and are never certain.
 
 use super::bodies::Triangles;
 use crate::{
@@ -26,34 +27,30 @@ pub(super) fn certainly_clear<L: Lanes>(
     let limit = each!(2, |t| couple[t].double_area * L::splat(CERTAIN));
     let zero = L::splat(0.0);
     let mut certain = zero.lt(limit[0]) & zero.lt(limit[1]);
-    // [t][e][i]: corner i of t is not inside edge e of the other / not outside it
     let never = !certain & certain;
-    let mut below = [[[never; 3]; 3]; 2];
-    let mut above = [[[never; 3]; 3]; 2];
-    for i in 0..3 {
-        for k in 0..3 {
-            // from corner i of the target to corner k of the contactor
-            let dx = contactor.x[k] - target.x[i];
-            let dy = contactor.y[k] - target.y[i];
-            let [nx, ny] = contactor.normal(k);
-            let twice_area = dx * nx + dy * ny;
-            below[0][k][i] = twice_area.lt(limit[1]);
-            above[0][k][i] = twice_area.gt(-limit[1]);
-            let [nx, ny] = target.normal(i);
-            // the other way round with the sign reversed
-            let negative = dx * nx + dy * ny;
-            below[1][i][k] = negative.gt(-limit[0]);
-            above[1][i][k] = negative.lt(limit[0]);
+    // whether both ends of an edge are below an edge of the other triangle
+    let mut outside = [[never; 3]; 2];
+    // whether all corners of the other triangle are on one side of an edge
+    let mut off_line = [[never; 3]; 2];
+    for t in 0..2 {
+        let (own, other) = (couple[t], couple[1 - t]);
+        let (low, high) = (limit[1 - t], -limit[1 - t]);
+        // of each edge's higher end, over the edges of the other triangle
+        let mut lowest = [low; 3];
+        for e in 0..3 {
+            let [nx, ny] = other.normal(e);
+            let [a, b, c] =
+                each!(3, |i| { (other.x[e] - own.x[i]) * nx + (other.y[e] - own.y[i]) * ny });
+            let upper = [a.larger(b), b.larger(c), c.larger(a)];
+            each!(3, |i| lowest[i] = lowest[i].smaller(upper[i]));
+            let (top, bottom) = (upper[0].larger(c), a.smaller(b).smaller(c));
+            off_line[1 - t][e] = top.lt(low) | bottom.gt(high);
         }
+        outside[t] = each!(3, |i| lowest[i].lt(low));
     }
     for t in 0..2 {
         for i in 0..3 {
-            let j = (i + 1) % 3;
-            let [own, other] = [&below[t], &below[1 - t]];
-            let outside = own[0][i] & own[0][j] | own[1][i] & own[1][j] | own[2][i] & own[2][j];
-            let beyond = other[i][0] & other[i][1] & other[i][2];
-            let within = above[1 - t][i][0] & above[1 - t][i][1] & above[1 - t][i][2];
-            certain = certain & (outside | beyond | within);
+            certain = certain & (outside[t][i] | off_line[t][i]);
         }
     }
     certain

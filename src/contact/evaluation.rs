@@ -10,10 +10,10 @@ use super::{
     bodies::{Bodies, Body, Triangles},
     certain::certainly_clear,
     clearance::{Clearance, clearance},
-    exertion::{Exertion, Quartet},
+    exertion::{Bench, CORNERS, Exertion, Quartet},
     friction::PairTable,
     placement::Placement,
-    visits::{RespitesMut, Visit},
+    visits::{RespitesMut, Traits, Visit},
 };
 use crate::{
     lanes::{self, Kernel, LANES, Lanes, Mask, each},
@@ -22,15 +22,16 @@ use crate::{
 use rayon::prelude::*;
 
 /// A couple that could not be let rest is asked again after so many evaluations.
-const PATIENCE: f64 = 16.0;
+const PATIENCE: f64 = 64.0;
 /// The same for a couple that touches at a point, as bonded neighbours do.
-const PATIENCE_TOUCHING: f64 = 128.0;
+const PATIENCE_TOUCHING: f64 = 512.0;
 
 /// Steps at the present speed that a rest must promise.
 const WORTHWHILE_STEPS: f64 = 4.0;
 
-/// Couples in a chunk when one thread does all: what it keeps stays in the cache.
-const SERIAL_CHUNK: usize = 64;
+/// Couples in a chunk when one thread does all: many, so that there are enough alike, but what
+/// they exert stays in the cache.
+const SERIAL_CHUNK: usize = 512;
 /// From so many couples on, threads pay (measured, `docs/src/performance.md`).
 const PARALLEL_FROM: usize = 4096;
 /// Chunks for each thread, to even out couples that rest and couples that touch.
@@ -40,8 +41,6 @@ const CHUNKS_PER_THREAD: usize = 4;
 #[derive(Clone, Copy)]
 pub(super) struct Step<'a> {
     pub bodies: &'a Bodies,
-    /// Velocities of all nodes.
-    pub velocities: &'a [Vec2],
     pub pairs: &'a PairTable,
     pub dt: f64,
     pub buffer: f64,
@@ -91,11 +90,6 @@ impl Step<'_> {
         each!(2, |t| &self.bodies.corners[participants[t] as usize])
     }
 
-    #[inline(always)]
-    pub fn velocity(&self, node: u32) -> &[f64; 2] {
-        &self.velocities[node as usize].data.0[0]
-    }
-
     /// Finds out for how long a couple without effect can be left alone.
     #[cold]
     #[inline(never)]
@@ -124,29 +118,100 @@ impl Step<'_> {
     }
 }
 
-/// What the triangles of a couple that touches exert on each other.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Touch {
-    pub participants: [u32; 2],
-    pub exertion: Exertion,
-}
+/// Sets of edges of a couple that can be cut.
+const EDGE_SETS: usize = 1 << CORNERS;
 
-/// Passes of a chunk of couples. Lists keep their length from step to step; the counts tell how
-/// much of them is valid.
+/// Passes of a chunk of couples. Couples are named by their places in the chunk.
 #[derive(Debug, Clone, Default)]
 struct Chunk {
-    counts: Counts,
-    /// Couples to be evaluated, by their place in the chunk.
-    asked: Vec<u32>,
-    touches: Vec<Touch>,
+    /// Couples to be evaluated.
+    asked: Places,
+    /// Couples that did not touch in the last step.
+    separated: Places,
+    /// Those of them that are not certainly clear now, in any order.
+    close: Places,
+    /// Places among the asked, those with the same edges cut in the last evaluation together.
+    alike: Vec<u32>,
+    /// What is known of each asked couple.
+    traits: Vec<Traits>,
+    /// What the asked couples exert.
+    exertions: Vec<Exertion>,
     done: Done,
 }
 
-/// Valid entries of a chunk's lists.
-#[derive(Debug, Clone, Copy, Default)]
-struct Counts {
-    asked: usize,
-    touches: usize,
+/// All bits of the lanes.
+const ALL: u32 = (1 << LANES) - 1;
+
+/// Places of couples in a chunk, ascending where nothing else is said. There is always room for more than there can be, so
+/// that the list grows without branches.
+#[derive(Debug, Clone, Default)]
+struct Places {
+    places: Vec<u32>,
+    count: usize,
+}
+
+impl Places {
+    /// Makes room for the couples of a chunk of that size.
+    fn reserve(&mut self, size: usize) {
+        if self.places.len() < size + LANES {
+            self.places.resize(size + LANES, 0);
+        }
+    }
+
+    #[inline(always)]
+    fn clear(&mut self) {
+        self.count = 0;
+    }
+
+    #[inline(always)]
+    fn is_empty(&self) -> bool {
+        self.count == 0
+    }
+
+    #[inline(always)]
+    fn get(&self) -> &[u32] {
+        &self.places[..self.count]
+    }
+
+    /// Adds the places `first` + `k` for every bit `k`.
+    #[inline(always)]
+    fn push_lanes(&mut self, first: usize, bits: u32) {
+        if bits == 0 {
+            return;
+        }
+        let room: &mut [u32; LANES] = &mut self.places[self.count..].as_chunks_mut().0[0];
+        // no branches: which couples are meant cannot be predicted
+        let mut count = 0;
+        for lane in 0..LANES {
+            room[count % LANES] = (first + lane) as u32;
+            count += (bits >> lane & 1) as usize;
+        }
+        self.count += count;
+    }
+
+    #[cold]
+    fn sort(&mut self) {
+        self.places[..self.count].sort_unstable();
+    }
+
+    /// Adds places that are not among these.
+    #[cold]
+    fn insert_sorted(&mut self, others: &Self) {
+        let (mut mine, mut theirs) = (self.count, others.count);
+        self.count += others.count;
+        let mut end = self.count;
+        while theirs > 0 {
+            end -= 1;
+            let other = others.places[theirs - 1];
+            if mine > 0 && self.places[mine - 1] > other {
+                self.places[end] = self.places[mine - 1];
+                mine -= 1;
+            } else {
+                self.places[end] = other;
+                theirs -= 1;
+            }
+        }
+    }
 }
 
 /// Some couples in the order of the list.
@@ -204,10 +269,13 @@ impl Evaluator {
         }
         for chunk in &mut self.chunks[..chunks] {
             let couples = size.next_multiple_of(LANES);
-            if chunk.asked.len() < couples + LANES {
-                // more than there can be, so that lists grow without branches
-                chunk.asked.resize(couples + LANES, 0);
-                chunk.touches.resize(couples + LANES, Touch::default());
+            for places in [&mut chunk.asked, &mut chunk.separated, &mut chunk.close] {
+                places.reserve(couples);
+            }
+            if chunk.alike.len() < couples {
+                chunk.alike.resize(couples, 0);
+                chunk.traits.resize(couples, Traits::default());
+                chunk.exertions.resize(couples, Exertion::default());
             }
         }
     }
@@ -220,8 +288,8 @@ impl Chunk {
 
     /// Adds the forces in the order of the couples.
     fn scatter(&self, step: &Step<'_>, forces: &mut [Vec2]) {
-        for touch in &self.touches[..self.counts.touches] {
-            touch.exertion.scatter(step.nodes_of(touch.participants), forces);
+        for exertion in &self.exertions[..self.asked.count] {
+            exertion.scatter(step, forces);
         }
     }
 }
@@ -238,10 +306,9 @@ impl Kernel for Evaluation<'_, '_> {
 
     #[inline(always)]
     fn run<L: Lanes>(mut self) {
-        self.chunk.done = Done::default();
-        self.chunk.counts = Counts::default();
         self.pass_over::<L>();
-        self.chunk.done.evaluated = self.chunk.counts.asked as u64;
+        self.chunk.done = Done { evaluated: self.chunk.asked.count as u64, dropped: false };
+        self.put_alike_together();
         self.exert_asked::<L>();
     }
 }
@@ -250,78 +317,141 @@ impl Evaluation<'_, '_> {
     /// Lists the couples that neither rest nor are certain to have no effect.
     #[inline(always)]
     fn pass_over<L: Lanes>(&mut self) {
-        let Self { chunk, step, couples } = self;
-        let mut count = 0;
-        let path = L::splat(step.path);
-        let (blocks, rest) = couples.participants.as_chunks::<LANES>();
+        for list in [&mut self.chunk.asked, &mut self.chunk.separated, &mut self.chunk.close] {
+            list.clear();
+        }
+        let path = L::splat(self.step.path);
+        let tests = if self.step.rests { ALL } else { 0 };
+        let (blocks, others) = self.couples.participants.as_chunks::<LANES>();
         for (block, participants) in blocks.iter().enumerate() {
             let first = block * LANES;
-            let awake = !path.lt(lanes_at(couples.respites.rest, first));
-            if !awake.any() {
+            let respites = &self.couples.respites;
+            let awake = (!path.lt(lanes_at(respites.rest, first))).bits();
+            if awake == 0 {
                 continue;
             }
-            let mut asked = awake.bits();
-            let known = path.lt(lanes_at::<L>(couples.respites.stay, first)) & awake;
-            if step.rests && known.any() {
-                let bodies = each!(4, |k| step.bodies_of(participants[k]));
-                let target = Triangles::<L>::new(each!(4, |k| bodies[k][0]));
-                let contactor = Triangles::new(each!(4, |k| bodies[k][1]));
-                let clear = certainly_clear(&target, &contactor) & known;
-                asked &= !clear.bits();
-                let due = lanes_at::<L>(couples.respites.ask, first).le(L::splat(step.evaluation));
-                let mut due = (due & clear).bits();
-                while due != 0 {
-                    let lane = due.trailing_zeros() as usize;
-                    due &= due - 1;
-                    step.ask(participants[lane], &mut couples.respites, first + lane);
-                }
+            let stays = path.lt(lanes_at::<L>(respites.stay, first)).bits();
+            // what touched a step ago most likely does so now
+            let edges = respites.edges[first..].as_chunks::<LANES>().0[0];
+            let mut touched = 0;
+            if edges != [0; LANES] {
+                each!(4, |k| touched |= u32::from(edges[k] != 0) << k);
             }
-            // no branches: which couples are asked cannot be predicted
-            for lane in 0..LANES {
-                chunk.asked[count] = (first + lane) as u32;
-                count += (asked >> lane & 1) as usize;
+            let tested = awake & stays & !touched & tests;
+            self.chunk.asked.push_lanes(first, awake & !tested);
+            if tested == ALL {
+                self.test::<L>(each!(4, |k| first + k), participants, ALL);
+            } else {
+                self.chunk.separated.push_lanes(first, tested);
             }
         }
-        let first = couples.participants.len() - rest.len();
-        for index in first..couples.participants.len() {
-            if step.path >= couples.respites.rest[index] {
-                chunk.asked[count] = index as u32;
-                count += 1;
+        for index in blocks.len() * LANES..blocks.len() * LANES + others.len() {
+            if self.step.path >= self.couples.respites.rest[index] {
+                self.chunk.asked.push_lanes(index, 1);
             }
         }
-        chunk.counts.asked = count;
+        for at in (0..self.chunk.separated.count).step_by(LANES) {
+            let quartet = &self.chunk.separated.get()[at..];
+            let count = quartet.len().min(LANES);
+            // a last block that is not full repeats its first couple
+            let of_lane = each!(4, |k| quartet[if k < count { k } else { 0 }] as usize);
+            let participants = each!(4, |k| self.couples.participants[of_lane[k]]);
+            self.test::<L>(of_lane, &participants, (1 << count) - 1);
+        }
+        let Chunk { asked, close, .. } = &mut *self.chunk;
+        if !close.is_empty() {
+            close.sort();
+            asked.insert_sorted(close);
+        }
+    }
+
+    /// Lists those of the `valid` couples that are not certain to have no effect; lets the others
+    /// rest.
+    #[inline(always)]
+    fn test<L: Lanes>(
+        &mut self,
+        of_lane: [usize; LANES],
+        participants: &[[u32; 2]; LANES],
+        valid: u32,
+    ) {
+        let Self { chunk, step, couples } = self;
+        let bodies = each!(4, |k| step.bodies_of(participants[k]));
+        let target = Triangles::<L>::new(each!(4, |k| bodies[k][0]));
+        let contactor = Triangles::new(each!(4, |k| bodies[k][1]));
+        let clear = certainly_clear(&target, &contactor).bits() & valid;
+        let asks = L::new(each!(4, |k| couples.respites.ask[of_lane[k]]));
+        let mut due = asks.le(L::splat(step.evaluation)).bits() & clear;
+        while due != 0 {
+            let lane = due.trailing_zeros() as usize % LANES;
+            due &= due - 1;
+            step.ask(participants[lane], &mut couples.respites, of_lane[lane]);
+        }
+        let mut unclear = valid & !clear;
+        while unclear != 0 {
+            chunk.close.push_lanes(of_lane[unclear.trailing_zeros() as usize % LANES], 1);
+            unclear &= unclear - 1;
+        }
+    }
+
+    /// Sorts the asked couples by the edges cut in their last evaluation: couples that are
+    /// evaluated together should have the same edges to cut.
+    #[inline(always)]
+    fn put_alike_together(&mut self) {
+        let Self { chunk, couples, .. } = self;
+        let Chunk { asked, alike, traits, .. } = &mut **chunk;
+        let asked = asked.get();
+        let edges = &*couples.respites.edges;
+        let mut places = [0u32; EDGE_SETS];
+        let set = |couple: u32| edges[couple as usize] as usize % EDGE_SETS;
+        for &couple in asked {
+            places[set(couple)] += 1;
+        }
+        let mut sum = 0;
+        for place in &mut places {
+            (*place, sum) = (sum, sum + *place);
+        }
+        for ((at, &couple), traits) in asked.iter().enumerate().zip(traits) {
+            // read here, one after the other, which brings the couples into the cache
+            *traits = couples.visits[couple as usize].traits;
+            let place = &mut places[set(couple)];
+            alike[*place as usize] = at as u32;
+            *place += 1;
+        }
     }
 
     /// Evaluates the listed couples; drops those that came apart.
     #[inline(always)]
     fn exert_asked<L: Lanes>(&mut self) {
         let Self { chunk, step, couples } = self;
-        let mut touches = 0;
-        for asked in chunk.asked[..chunk.counts.asked].chunks(LANES) {
+        let Chunk { asked, alike, traits, exertions, done, .. } = &mut **chunk;
+        let asked = asked.get();
+        let mut bench = Bench::<L>::new();
+        for places in alike[..asked.len()].chunks(LANES) {
             // a last block that is not full repeats its first couple
-            let of_lane = each!(4, |k| asked[if k < asked.len() { k } else { 0 }] as usize);
+            let place = each!(4, |k| places[if k < places.len() { k } else { 0 }] as usize);
+            let of_lane = each!(4, |k| asked[place[k]] as usize);
             let quartet = Quartet {
                 couples: of_lane,
                 participants: each!(4, |k| couples.participants[of_lane[k]]),
-                count: asked.len(),
+                traits: each!(4, |k| traits[place[k]]),
+                count: places.len(),
             };
-            let out = &mut chunk.touches[touches..].as_chunks_mut().0[0];
-            let touching = quartet.exert::<L>(step, couples.visits, out);
-            touches += touching.count_ones() as usize;
-            let mut apart = !touching & ((1 << asked.len()) - 1);
-            while apart != 0 {
-                let lane = apart.trailing_zeros() as usize;
-                apart &= apart - 1;
-                let (couple, participants) = (of_lane[lane], quartet.participants[lane]);
+            let edges = quartet.exert(step, couples.visits, &mut bench, place, exertions);
+            for lane in 0..places.len() {
+                let couple = of_lane[lane];
+                couples.respites.edges[couple] = edges[lane];
+                if edges[lane] != 0 {
+                    continue;
+                }
+                let participants = quartet.participants[lane];
                 if step.is_beyond(participants) {
                     couples.visits[couple].is_dropped = true;
-                    chunk.done.dropped = true;
+                    done.dropped = true;
                 } else if step.rests && couples.respites.ask[couple] <= step.evaluation {
                     step.ask(participants, &mut couples.respites, couple);
                 }
             }
         }
-        chunk.counts.touches = touches;
     }
 }
 

@@ -1,20 +1,37 @@
 //! What the triangles of couples exert on each other, four couples at a time.
 
 use super::{
-    bodies::Triangles,
-    edges::Edges,
-    evaluation::{Step, Touch},
-    locate::{Coordinates, locate},
-    visits::Visit,
+    bodies::{Triangles, velocities_of},
+    edges::{Edges, Ends, Integrals, Pairs},
+    evaluation::Step,
+    locate::{Located, locate},
+    visits::{Traits, Visit},
 };
 use crate::{
     lanes::{LANES, Lanes, Mask, each},
     mechanics::Vec2,
 };
 
+/// Corners of a couple: those of the target, then those of the contactor. Edge `c` goes from
+/// corner `c` to the next one.
+pub(super) const CORNERS: usize = 6;
+
+/// Corners that a table has place for: a power of two, so that places need no check.
+const PLACES: usize = 8;
+
+/// The corner after each corner on its triangle.
+const NEXT: [usize; PLACES] = [1, 2, 0, 4, 5, 3, 0, 0];
+
+/// All bits of [`Exertion::acts`].
+const BOTH_SIDES: u32 = 0b11;
+
 /// Forces between the triangles of a couple.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Exertion {
+    participants: [u32; 2],
+    shares_node: bool,
+    /// Bit `t`: whether the edges of triangle `t` exert anything.
+    acts: u32,
     /// Entry `t`: what acts on the edges of triangle `t`.
     sides: [SideExertion; 2],
 }
@@ -30,19 +47,42 @@ struct SideExertion {
 }
 
 impl Exertion {
-    /// Adds the forces to those of the nodes of target and contactor, in the original's order,
-    /// which matters where the two triangles share a node.
+    /// Adds the forces to those of the nodes, in the original's order: side by side, corner by
+    /// corner.
     #[inline(always)]
-    pub fn scatter(&self, nodes: [&[u32; 3]; 2], forces: &mut [Vec2]) {
+    pub fn scatter(&self, step: &Step<'_>, forces: &mut [Vec2]) {
+        let nodes = step.nodes_of(self.participants);
+        if self.acts == BOTH_SIDES && !self.shares_node {
+            // each node once
+            let [first, second] = &self.sides;
+            for i in 0..3 {
+                let force = &mut forces[nodes[0][i] as usize].data.0[0];
+                *force = second.bear(i, add(*force, first.own[i]));
+                let force = &mut forces[nodes[1][i] as usize].data.0[0];
+                *force = add(first.bear(i, *force), second.own[i]);
+            }
+            return;
+        }
         for (t, side) in self.sides.iter().enumerate() {
+            if self.acts >> t & 1 == 0 {
+                continue;
+            }
             for i in 0..3 {
                 let force = &mut forces[nodes[t][i] as usize].data.0[0];
                 *force = add(*force, side.own[i]);
                 let force = &mut forces[nodes[1 - t][i] as usize].data.0[0];
-                let [first, second, third] = side.borne[i];
-                *force = subtract(subtract(subtract(*force, first), second), third);
+                *force = side.bear(i, *force);
             }
         }
+    }
+}
+
+impl SideExertion {
+    /// The force on corner `i` of the other triangle with what it bears.
+    #[inline(always)]
+    fn bear(&self, i: usize, force: [f64; 2]) -> [f64; 2] {
+        let [first, second, third] = self.borne[i];
+        subtract(subtract(subtract(force, first), second), third)
     }
 }
 
@@ -56,109 +96,173 @@ fn subtract(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
     [a[0] - b[0], a[1] - b[1]]
 }
 
-/// Four couples to evaluate; behind the first `count` lanes come repetitions.
+/// Four couples to evaluate; behind the first `count` lanes come repetitions of the first.
 #[derive(Clone, Copy)]
 pub(super) struct Quartet {
     /// Their places in the list.
     pub couples: [usize; LANES],
     pub participants: [[u32; 2]; LANES],
+    pub traits: [Traits; LANES],
     pub count: usize,
 }
 
+/// What is known of the corners and edges of four couples, one couple per lane.
+pub(super) struct Bench<L> {
+    integrals: [Integrals<L>; PLACES],
+    /// Velocities of the corners, m/s.
+    velocity: [[L; 2]; PLACES],
+    /// Outward normals of the edges, as long as the edges, m.
+    normals: [[L; 2]; PLACES],
+    /// Forces on the corners by what acts on the edges of their triangle, N.
+    own: [[L; 2]; PLACES],
+}
+
+impl<L: Lanes> Bench<L> {
+    /// With nothing known.
+    #[inline(always)]
+    pub fn new() -> Self {
+        let zero = L::splat(0.0);
+        let nothing = [[zero; 2]; PLACES];
+        Self {
+            integrals: [Integrals::all(zero); PLACES],
+            velocity: nothing,
+            normals: nothing,
+            own: nothing,
+        }
+    }
+}
+
 impl Quartet {
-    /// Evaluates the couples: updates their sliding and writes what they exert one after the
-    /// other. The result has a bit for each that has an edge to cut; the others exert nothing and
-    /// leave no entry.
+    /// Evaluates the couples: updates their sliding and writes what each exerts to its place in
+    /// `out`. The result has for each a bit for every edge that had to be cut; those without one
+    /// exert nothing.
+    ///
+    /// What depends on each other in an edge takes long: the integrals of all edges come first,
+    /// then their forces, so that edges overlap in time.
     #[inline(always)]
     pub fn exert<L: Lanes>(
         &self,
         step: &Step<'_>,
         visits: &mut [Visit],
-        out: &mut [Touch; LANES],
-    ) -> u32 {
+        bench: &mut Bench<L>,
+        places: [usize; LANES],
+        out: &mut [Exertion],
+    ) -> [u8; LANES] {
+        let Bench { integrals, velocity, normals, own } = bench;
         let bodies = each!(4, |k| step.bodies_of(self.participants[k]));
         let triangles = [
             Triangles::<L>::new(each!(4, |k| bodies[k][0])),
             Triangles::new(each!(4, |k| bodies[k][1])),
         ];
-        let (coordinates, cut) = locate(&triangles[0], &triangles[1]);
-        let valid = (1 << self.count) - 1;
-        let mut touching = 0;
+        let Located { points, cut } = locate(&triangles[0], &triangles[1]);
+        let mut slots = 0;
+        let mut by_edge = 0;
+        for corner in 0..CORNERS {
+            let bits = cut[corner].bits();
+            slots |= u32::from(bits != 0) << corner;
+            by_edge |= bits << (LANES * corner);
+        }
+        let edges = each!(4, |k| edges_of_lane(by_edge, k));
+        if slots == 0 {
+            for k in 0..self.count {
+                out[places[k]].acts = 0;
+            }
+            return edges;
+        }
+        let zero = L::splat(0.0);
+        let mut left = slots;
+        while left != 0 {
+            let corner = left.trailing_zeros() as usize % PLACES;
+            left &= left - 1;
+            let ends = Ends { start: points[corner], end: points[NEXT[corner]] };
+            integrals[corner] = ends.integrals(cut[corner]);
+        }
         for t in 0..2 {
+            let velocities = velocities_of(each!(4, |k| bodies[k][t]));
             for i in 0..3 {
-                touching |= cut[t][i].bits();
+                velocity[3 * t + i] = velocities[i];
+                normals[3 * t + i] = triangles[t].normal(i);
+                own[3 * t + i] = [zero; 2];
             }
         }
-        touching &= valid;
-        if touching == 0 {
-            return 0;
-        }
-        // place of each lane's entry; those without one are overwritten by the next
-        let place = each!(4, |k| (touching & ((1 << k) - 1)).count_ones() as usize);
-        for k in 0..LANES {
-            out[place[k]].participants = self.participants[k];
-        }
-        let nodes = each!(4, |k| step.nodes_of(self.participants[k]));
-        let velocity =
-            each!(2, |t| each!(3, |i| L::pairs(each!(4, |k| step.velocity(nodes[k][t][i])))));
-        let [penalty, tangential_penalty, friction] = self.properties::<L>(step, visits);
+        let pair = self.pair(step);
         let mut sliding = self.sliding::<L>(visits);
-        let zero = L::splat(0.0);
-        for t in 0..2 {
-            let mut own = [[zero; 2]; 3];
-            let mut acts = zero.lt(zero);
-            let side = Side {
-                coordinates: &coordinates[t],
-                velocity: &velocity[t],
-                other_velocity: &velocity[1 - t],
-                penalty,
-                tangential_penalty,
-                friction,
-                dt: step.dt,
+        let never = zero.lt(zero);
+        let mut acts = [never; 2];
+        let mut left = slots;
+        while left != 0 {
+            let corner = left.trailing_zeros() as usize % PLACES;
+            left &= left - 1;
+            let next = NEXT[corner];
+            let (side, other) = if corner < 3 { (0, 3) } else { (1, 0) };
+            let here = cut[corner] & integrals[corner].is_inside();
+            let edges = Edges {
+                ends: Ends { start: points[corner], end: points[next] },
+                normal: normals[corner],
+                velocity: [velocity[corner], velocity[next]],
+                other_velocity: [velocity[other], velocity[other + 1], velocity[other + 2]],
+                sliding: sliding[corner],
+                pair: &pair,
             };
-            // written out, so that forces and sliding stay in registers
-            each!(3, |i| {
-                if cut[t][i].any() {
-                    let normal = triangles[t].normal(i);
-                    let slid = sliding[t][i];
-                    let (here, slid, own_i, own_j) =
-                        side.cut(i, cut[t][i], normal, slid, own[i], own[NEXT[i]]);
-                    acts = acts | here;
-                    sliding[t][i] = slid;
-                    own[i] = own_i;
-                    own[NEXT[i]] = own_j;
-                }
-            });
-            write_side(t, &own, acts, &coordinates, place, out);
+            let forces = edges.forces(here, &integrals[corner], step.dt);
+            sliding[corner] = L::select(here, forces.sliding, sliding[corner]);
+            acts[side] = acts[side] | here;
+            let [x, y] = normals[corner];
+            for (end, at) in [corner, next].into_iter().enumerate() {
+                // Zero force leaves a sum that began with zero as it is. Selecting sums instead
+                // would become masked stores, which some machines do very slowly.
+                let n = L::select(here, forces.normal[end], zero);
+                let s = L::select(here, forces.tangential[end], zero);
+                let [fx, fy] = own[at];
+                own[at] = [fx - n * x - s * y, fy - n * y + s * x];
+            }
         }
-        self.keep_sliding(sliding, visits);
-        touching
+        for k in 0..LANES {
+            let exertion = &mut out[places[k]];
+            exertion.participants = self.participants[k];
+            exertion.shares_node = self.traits[k].shares_node;
+            exertion.acts = (acts[0].bits() >> k & 1) | (acts[1].bits() >> k & 1) << 1;
+        }
+        write_side(0, own, &points, places, out);
+        write_side(1, own, &points, places, out);
+        self.keep_sliding(&sliding, visits);
+        edges
     }
 
-    /// Contact penalties, tangential penalties and friction.
+    /// Contact properties.
     #[inline(always)]
-    fn properties<L: Lanes>(&self, step: &Step<'_>, visits: &[Visit]) -> [L; 3] {
-        let pairs = each!(4, |k| visits[self.couples[k]].pair);
+    fn pair<L: Lanes>(&self, step: &Step<'_>) -> Pairs<L> {
+        let pairs = each!(4, |k| self.traits[k].pair);
+        if pairs == [pairs[0]; LANES] {
+            let pair = step.pairs.properties(pairs[0]);
+            return Pairs {
+                penalty: L::splat(pair.penalty),
+                tangential_penalty: L::splat(pair.tangential_penalty),
+                friction: L::splat(pair.friction),
+            };
+        }
         let of = each!(4, |k| step.pairs.properties(pairs[k]));
-        [
-            L::new(each!(4, |k| of[k].penalty)),
-            L::new(each!(4, |k| of[k].tangential_penalty)),
-            L::new(each!(4, |k| of[k].friction)),
-        ]
+        Pairs {
+            penalty: L::new(each!(4, |k| of[k].penalty)),
+            tangential_penalty: L::new(each!(4, |k| of[k].tangential_penalty)),
+            friction: L::new(each!(4, |k| of[k].friction)),
+        }
     }
 
     /// Sliding of the six edges.
     #[inline(always)]
-    fn sliding<L: Lanes>(&self, visits: &[Visit]) -> [[L; 3]; 2] {
+    fn sliding<L: Lanes>(&self, visits: &[Visit]) -> [L; PLACES] {
         let rows = each!(4, |k| &visits[self.couples[k]].sliding);
         let [a, b, c, d] = L::transpose(each!(4, |k| L::load(first(rows[k]))));
         let [_, _, e, f] = L::transpose(each!(4, |k| L::load(last(rows[k]))));
-        [[a, b, c], [d, e, f]]
+        let zero = L::splat(0.0);
+        [a, b, c, d, e, f, zero, zero]
     }
 
     /// Takes over the sliding of the six edges.
     #[inline(always)]
-    fn keep_sliding<L: Lanes>(&self, [[a, b, c], [d, e, f]]: [[L; 3]; 2], visits: &mut [Visit]) {
+    fn keep_sliding<L: Lanes>(&self, sliding: &[L; PLACES], visits: &mut [Visit]) {
+        let &[a, b, c, d, e, f, ..] = sliding;
         let starts = L::transpose([a, b, c, d]);
         let ends = L::transpose([c, d, e, f]);
         for k in 0..self.count {
@@ -169,80 +273,36 @@ impl Quartet {
     }
 }
 
-/// Where the edges of one triangle are cut.
-struct Side<'a, L> {
-    coordinates: &'a [[L; 3]; 3],
-    velocity: &'a [[L; 2]; 3],
-    other_velocity: &'a [[L; 2]; 3],
-    penalty: L,
-    tangential_penalty: L,
-    friction: L,
-    dt: f64,
+/// The edges of lane `k` out of bits that are sorted by edge, then lane.
+#[inline(always)]
+fn edges_of_lane(by_edge: u32, k: usize) -> u8 {
+    // bits 0, 4, 8, 12, 16, 20 move to 0, 1, 8, 9, 16, 17, then to 0 to 5
+    let bits = by_edge >> k & 0x11_1111;
+    let pairs = (bits | bits >> 3) & 0x03_0303;
+    (pairs | pairs >> 6 | pairs >> 12) as u8 & 0x3F
 }
-
-impl<L: Lanes> Side<'_, L> {
-    /// Cuts edge `i` of the lanes `cut`. Gives the lanes in which it exerts something, its
-    /// sliding, and the forces on its start and its end, which begin with those given.
-    #[inline(always)]
-    fn cut(
-        &self,
-        i: usize,
-        cut: L::Mask,
-        normal: [L; 2],
-        sliding: L,
-        at_start: [L; 2],
-        at_end: [L; 2],
-    ) -> (L::Mask, L, [L; 2], [L; 2]) {
-        let j = NEXT[i];
-        let edges = Edges {
-            start: each!(3, |e| self.coordinates[e][i]),
-            end: each!(3, |e| self.coordinates[e][j]),
-            normal,
-            velocity: [self.velocity[i], self.velocity[j]],
-            other_velocity: *self.other_velocity,
-            sliding,
-            penalty: self.penalty,
-            tangential_penalty: self.tangential_penalty,
-            friction: self.friction,
-        };
-        let forces = edges.forces(self.dt);
-        let here = forces.acts & cut;
-        let [x, y] = normal;
-        let before = [at_start, at_end];
-        let [at_start, at_end] = each!(2, |end| {
-            let (n, s) = (forces.normal[end], forces.tangential[end]);
-            let [fx, fy] = before[end];
-            [L::select(here, fx - n * x - s * y, fx), L::select(here, fy - n * y + s * x, fy)]
-        });
-        (here, L::select(here, forces.sliding, sliding), at_start, at_end)
-    }
-}
-
-/// The corner after each corner.
-const NEXT: [usize; 3] = [1, 2, 0];
 
 /// Writes the forces on the corners of triangle `t` and what the other one bears of them.
 #[inline(always)]
 fn write_side<L: Lanes>(
     t: usize,
-    own: &[[L; 2]; 3],
-    acts: L::Mask,
-    coordinates: &Coordinates<L>,
-    place: [usize; LANES],
-    out: &mut [Touch; LANES],
+    own: &[[L; 2]; PLACES],
+    points: &[[L; 3]; PLACES],
+    places: [usize; LANES],
+    out: &mut [Exertion],
 ) {
-    let zero = L::splat(0.0);
     for i in 0..3 {
-        let pairs = L::unpair(own[i][0], own[i][1]);
+        let [x, y] = own[3 * t + i];
+        let pairs = L::unpair(x, y);
         for k in 0..LANES {
-            out[place[k]].exertion.sides[t].own[i] = pairs[k];
+            out[places[k]].sides[t].own[i] = pairs[k];
         }
         for m in 0..3 {
-            // what does not act exerts nothing, even if a coordinate is no number
-            let share = L::select(acts, coordinates[t][(i + 1) % 3][m], zero);
-            let pairs = L::unpair(own[m][0] * share, own[m][1] * share);
+            let [x, y] = own[3 * t + m];
+            let share = points[3 * t + m][(i + 1) % 3];
+            let pairs = L::unpair(x * share, y * share);
             for k in 0..LANES {
-                out[place[k]].exertion.sides[t].borne[i][m] = pairs[k];
+                out[places[k]].sides[t].borne[i][m] = pairs[k];
             }
         }
     }
@@ -306,7 +366,7 @@ mod tests {
 
         /// Couple after couple with scalar code.
         fn one_by_one(&self) -> Outcome {
-            let bodies = Bodies::of(self.corners.clone(), &self.places);
+            let bodies = Bodies::of(self.corners.clone(), &self.places, &self.velocities);
             let shapes: Vec<_> = bodies.bodies.iter().map(|b| b.shape()).collect();
             let motion = |c: &[u32; 3]| Motion::new(c.map(|n| self.velocities[n as usize]));
             let motions: Vec<_> = self.corners.iter().map(motion).collect();
@@ -343,11 +403,10 @@ mod tests {
         #[inline(always)]
         fn run<L: Lanes>(self) -> (Outcome, u32) {
             let scene = self.0;
-            let bodies = Bodies::of(scene.corners.clone(), &scene.places);
+            let bodies = Bodies::of(scene.corners.clone(), &scene.places, &scene.velocities);
             let pairs = PairTable::of_one(PAIR);
             let step = Step {
                 bodies: &bodies,
-                velocities: &scene.velocities,
                 pairs: &pairs,
                 dt: 1e-3,
                 buffer: 0.05,
@@ -357,18 +416,25 @@ mod tests {
                 evaluation: 0.0,
             };
             let participants = scene.couples();
+            let traits = participants.map(|[t, c]| {
+                let others = &scene.corners[t as usize];
+                let shares = scene.corners[c as usize].iter().any(|node| others.contains(node));
+                Traits { pair: 0, shares_node: shares }
+            });
             let mut visits: Vec<Visit> = participants
                 .iter()
                 .zip(scene.sliding)
                 .map(|(&participants, sliding)| Visit::between(participants, sliding))
                 .collect();
-            let quartet = Quartet { couples: [0, 1, 2, 3], participants, count: LANES };
-            let mut out = [Touch::default(); LANES];
-            let touching = quartet.exert::<L>(&step, &mut visits, &mut out);
+            let quartet = Quartet { couples: [0, 1, 2, 3], participants, traits, count: LANES };
+            let mut out = [Exertion::default(); LANES];
+            let mut bench = Bench::<L>::new();
+            let edges = quartet.exert(&step, &mut visits, &mut bench, [2, 0, 3, 1], &mut out);
             let mut forces = vec![Vec2::zeros(); scene.places.len()];
-            for touch in &out[..touching.count_ones() as usize] {
-                touch.exertion.scatter(step.nodes_of(touch.participants), &mut forces);
+            for exertion in [out[2], out[0], out[3], out[1]] {
+                exertion.scatter(&step, &mut forces);
             }
+            let touching = (0..LANES).map(|k| u32::from(edges[k] != 0) << k).sum();
             let sliding: Vec<_> = visits.iter().map(|visit| visit.sliding).collect();
             let of =
                 |t: usize| Triangles::<L>::new(each!(4, |k| step.bodies_of(participants[k])[t]));

@@ -151,7 +151,7 @@ pub(super) fn evaluate_in_order(
         done.evaluated += 1;
         let [target, contactor] = participants[index].map(|p| p as usize);
         let nodes = step.nodes_of(participants[index]);
-        let pair = step.pairs.properties(visit.pair);
+        let pair = step.pairs.properties(visit.traits.pair);
         let couple = Couple {
             shapes: [&step.bodies.shapes[target], &step.bodies.shapes[contactor]],
             motions: [&step.bodies.motions[target], &step.bodies.motions[contactor]],

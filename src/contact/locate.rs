@@ -2,27 +2,23 @@
 //! [`super::placement`] over lanes.
 
 use super::bodies::Triangles;
-use crate::{
-    TOLERANCE,
-    lanes::{Lanes, each},
-};
+use crate::{TOLERANCE, lanes::Lanes};
 
-/// Area coordinates of four couples: `[t][e][i]` of corner `i` of triangle `t` relative to edge
-/// `e` of the other, one couple per lane.
-pub(super) type Coordinates<L> = [[[L; 3]; 3]; 2];
-
-/// Edges of four couples: `[t][i]` edge `i` of triangle `t`.
-pub(super) type EdgeMasks<L> = [[<L as Lanes>::Mask; 3]; 2];
+/// Where the corners of four couples lie, one couple per lane. Corners 0 to 2 are those of the
+/// target, 3 to 5 those of the contactor; the rest is empty.
+pub(super) struct Located<L: Lanes> {
+    /// Area coordinates of each corner in the other triangle.
+    pub points: [[L; 3]; 8],
+    /// Which edges have to be cut; edge `c` begins at corner `c`.
+    pub cut: [L::Mask; 8],
+}
 
 /// Area coordinates of four couples, and which edges have to be cut.
 #[inline(always)]
-pub(super) fn locate<L: Lanes>(
-    target: &Triangles<L>,
-    contactor: &Triangles<L>,
-) -> (Coordinates<L>, EdgeMasks<L>) {
+pub(super) fn locate<L: Lanes>(target: &Triangles<L>, contactor: &Triangles<L>) -> Located<L> {
     let couple = [target, contactor];
     let (tolerance, minus) = (L::splat(TOLERANCE), L::splat(-TOLERANCE));
-    let mut coordinates = [[[tolerance; 3]; 3]; 2];
+    let mut points = [[tolerance; 3]; 8];
     let never = tolerance.lt(minus);
     let mut outside = [[never; 3]; 2];
     let mut off_line = [[never; 3]; 2];
@@ -35,7 +31,7 @@ pub(super) fn locate<L: Lanes>(
             for i in 0..3 {
                 let twice_area = (other.x[e] - own.x[i]) * nx + (other.y[e] - own.y[i]) * ny;
                 let coordinate = twice_area / other.double_area;
-                coordinates[t][e][i] = coordinate;
+                points[3 * t + i][e] = coordinate;
                 below[i] = coordinate.lt(tolerance);
                 above[i] = coordinate.gt(minus);
             }
@@ -45,6 +41,11 @@ pub(super) fn locate<L: Lanes>(
             off_line[1 - t][e] = below[0] & below[1] & below[2] | above[0] & above[1] & above[2];
         }
     }
-    let cut = each!(2, |t| each!(3, |i| !(outside[t][i] | off_line[t][i])));
-    (coordinates, cut)
+    let mut cut = [never; 8];
+    for t in 0..2 {
+        for i in 0..3 {
+            cut[3 * t + i] = !(outside[t][i] | off_line[t][i]);
+        }
+    }
+    Located { points, cut }
 }

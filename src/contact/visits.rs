@@ -9,6 +9,15 @@ use serde::{Deserialize, Serialize};
 /// No place in the list.
 const NOWHERE: u32 = u32::MAX;
 
+/// What is known of a couple as long as it lasts.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Traits {
+    /// Index of the couple's contact properties.
+    pub pair: u32,
+    /// Whether its triangles have a node in common.
+    pub shares_node: bool,
+}
+
 /// A couple in the order of evaluation.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Visit {
@@ -17,8 +26,7 @@ pub(super) struct Visit {
     pub sliding: [f64; 6],
     /// Rank of the pair of materials in the order of visits.
     pub rank: u32,
-    /// Index of the couple's contact properties.
-    pub pair: u32,
+    pub traits: Traits,
     /// Whether the couple came apart in this step.
     pub is_dropped: bool,
     pub contactor: u32,
@@ -39,7 +47,7 @@ impl Visit {
         Self {
             sliding,
             rank: 0,
-            pair: 0,
+            traits: Traits::default(),
             is_dropped: false,
             contactor,
             target,
@@ -61,40 +69,45 @@ pub(super) struct Respites {
     pub stay: Vec<f64>,
     /// Evaluation from which on it may be asked again whether it can rest.
     pub ask: Vec<f64>,
+    /// Edges cut in the last evaluation, a bit each.
+    pub edges: Vec<u8>,
 }
 
 impl Respites {
     /// Whether they are those of so many couples.
     pub fn is_of(&self, couples: usize) -> bool {
-        [&self.rest, &self.stay, &self.ask].into_iter().all(|values| values.len() == couples)
+        let paths = [&self.rest, &self.stay, &self.ask];
+        paths.into_iter().all(|values| values.len() == couples) && self.edges.len() == couples
     }
 
     /// All of them.
     pub fn as_mut(&mut self) -> RespitesMut<'_> {
-        RespitesMut { rest: &mut self.rest, stay: &mut self.stay, ask: &mut self.ask }
+        let Self { rest, stay, ask, edges } = self;
+        RespitesMut { rest, stay, ask, edges }
     }
 
     fn clear(&mut self) {
         self.rest.clear();
         self.stay.clear();
         self.ask.clear();
+        self.edges.clear();
     }
 
     fn push(&mut self, rest: f64) {
         self.rest.push(rest);
         self.stay.push(0.0);
         self.ask.push(0.0);
+        self.edges.push(0);
     }
 
     /// Keeps the couples for which `keep` holds.
     fn retain(&mut self, keep: impl Fn(usize) -> bool) {
         for values in [&mut self.rest, &mut self.stay, &mut self.ask] {
-            let mut index = 0;
-            values.retain(|_| {
-                index += 1;
-                keep(index - 1)
-            });
+            let mut index = 0..;
+            values.retain(|_| index.next().is_some_and(&keep));
         }
+        let mut index = 0..;
+        self.edges.retain(|_| index.next().is_some_and(&keep));
     }
 }
 
@@ -103,21 +116,22 @@ pub(super) struct RespitesMut<'a> {
     pub rest: &'a mut [f64],
     pub stay: &'a mut [f64],
     pub ask: &'a mut [f64],
+    pub edges: &'a mut [u8],
 }
 
 impl<'a> RespitesMut<'a> {
     /// Those of so many couples each.
     pub fn chunks(self, size: usize) -> impl Iterator<Item = RespitesMut<'a>> {
-        let stay_ask = self.stay.chunks_mut(size).zip(self.ask.chunks_mut(size));
-        let all = self.rest.chunks_mut(size).zip(stay_ask);
-        all.map(|(rest, (stay, ask))| RespitesMut { rest, stay, ask })
+        let paths = self.rest.chunks_mut(size).zip(self.stay.chunks_mut(size));
+        let others = self.ask.chunks_mut(size).zip(self.edges.chunks_mut(size));
+        paths.zip(others).map(|((rest, stay), (ask, edges))| RespitesMut { rest, stay, ask, edges })
     }
 
     /// The same for any thread.
     pub fn par_chunks(self, size: usize) -> impl IndexedParallelIterator<Item = RespitesMut<'a>> {
-        let stay_ask = self.stay.par_chunks_mut(size).zip(self.ask.par_chunks_mut(size));
-        let all = self.rest.par_chunks_mut(size).zip(stay_ask);
-        all.map(|(rest, (stay, ask))| RespitesMut { rest, stay, ask })
+        let paths = self.rest.par_chunks_mut(size).zip(self.stay.par_chunks_mut(size));
+        let others = self.ask.par_chunks_mut(size).zip(self.edges.par_chunks_mut(size));
+        paths.zip(others).map(|((rest, stay), (ask, edges))| RespitesMut { rest, stay, ask, edges })
     }
 }
 
@@ -174,10 +188,16 @@ impl Visits {
                 let Some(rank) = pairs.rank(property(contactor), property(target)) else {
                     continue;
                 };
+                let corners = |e: u32| elements.corners::<3>(e as usize);
+                let others = corners(target);
+                let traits = Traits {
+                    pair: pairs.along_fracture(elements, contactor, target).unwrap_or(rank),
+                    shares_node: corners(contactor).iter().any(|node| others.contains(node)),
+                };
                 let visit = Visit {
                     sliding: *couples.sliding(slot),
                     rank,
-                    pair: pairs.along_fracture(elements, contactor, target).unwrap_or(rank),
+                    traits,
                     is_dropped: false,
                     contactor,
                     target,
