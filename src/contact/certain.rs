@@ -40,7 +40,7 @@ pub(super) fn certainly_clear<L: Lanes>(
         for e in 0..3 {
             let [nx, ny] = other.normal(e);
             let [a, b, c] =
-                each!(3, |i| { (other.x[e] - own.x[i]) * nx + (other.y[e] - own.y[i]) * ny });
+                each!(3, |i| (other.x[e] - own.x[i]) * nx + (other.y[e] - own.y[i]) * ny);
             let upper = [a.larger(b), b.larger(c), c.larger(a)];
             each!(3, |i| lowest[i] = lowest[i].smaller(upper[i]));
             let (top, bottom) = (upper[0].larger(c), a.smaller(b).smaller(c));

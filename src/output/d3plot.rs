@@ -1,13 +1,17 @@
 //! d3plot family of a run (spec `y2d3d.md` G.2).
 
 use super::{
-    FilePosition, OutputError, OutputNames, ResultWriter, decode,
+    Background, FilePosition, OutputError, OutputNames, ResultWriter, decode,
     elements::{is_joint, material_number, original_material_number, shown_elements},
     encode,
 };
 use crate::{scene::Scene, simulation::Simulation};
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::{
+    io,
+    path::PathBuf,
+    sync::{Arc, Mutex, PoisonError},
+};
 use yformat::d3plot::{
     ControlBlock, Counts, FamilyMark, FamilyWriter, Geometry, NodeVectors, Shell, StartDate,
     StateView, Stresses, Title, WriteError, states_per_file,
@@ -19,29 +23,57 @@ const KIND: &str = "d3plot";
 /// Writes the d3plot family, opened at the first state.
 pub struct D3plotOutput {
     names: OutputNames,
+    background: Background,
     start: StartDate,
     legacy: bool,
     family: Option<Family>,
 }
 
 struct Family {
-    writer: FamilyWriter,
+    writer: Arc<Mutex<FamilyWriter>>,
     per_file: u64,
     elements: Vec<usize>,
     /// Nodes announced in the control block; later ones have no place in the family.
     nodes: usize,
+}
+
+/// A state to be written.
+struct State {
+    time: f64,
+    kinetic_energy: f64,
     coordinates: Vec<[f64; 2]>,
     velocities: Vec<[f64; 2]>,
     stresses: Vec<[f64; 3]>,
     deletion_table: Vec<f64>,
 }
 
+impl State {
+    fn write(&self, writer: &mut FamilyWriter) -> Result<(), OutputError> {
+        writer.write_state(&StateView {
+            time: self.time,
+            kinetic_energy: self.kinetic_energy,
+            coordinates: NodeVectors::Plane(&self.coordinates),
+            velocities: NodeVectors::Plane(&self.velocities),
+            accelerations: NodeVectors::Zero,
+            stresses: Stresses::Plane(&self.stresses),
+            deletion_table: &self.deletion_table,
+        })?;
+        Ok(())
+    }
+}
+
 impl D3plotOutput {
     /// Output named by `names`, with the start date in its title. `legacy`
     /// writes the control block exactly as the original did.
     #[must_use]
-    pub fn new(names: &OutputNames, start: StartDate, legacy: bool) -> Self {
-        Self { names: names.clone(), start, legacy, family: None }
+    pub fn new(
+        names: &OutputNames,
+        background: &Background,
+        start: StartDate,
+        legacy: bool,
+    ) -> Self {
+        let (names, background) = (names.clone(), background.clone());
+        Self { names, background, start, legacy, family: None }
     }
 
     fn open(&self, simulation: &Simulation) -> Result<Family, OutputError> {
@@ -103,7 +135,7 @@ struct Continuation {
 
 impl Continuation {
     fn of(family: &mut Family) -> Result<Self, OutputError> {
-        let mark = family.writer.mark()?;
+        let mark = family.writer.lock().unwrap_or_else(PoisonError::into_inner).mark()?;
         Ok(Self {
             control: mark.control.to_bytes().to_vec(),
             member: mark.member,
@@ -146,43 +178,27 @@ impl Continuation {
 
 impl Family {
     fn new(writer: FamilyWriter, per_file: u64, elements: Vec<usize>, nodes: usize) -> Self {
-        Self {
-            writer,
-            per_file,
-            elements,
-            nodes,
-            coordinates: Vec::new(),
-            velocities: Vec::new(),
-            stresses: Vec::new(),
-            deletion_table: Vec::new(),
-        }
+        Self { writer: Arc::new(Mutex::new(writer)), per_file, elements, nodes }
     }
 
-    fn write(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
+    fn state(&self, simulation: &Simulation) -> State {
         let scene = simulation.scene();
-        let fill = |to: &mut Vec<[f64; 2]>, from: &[nalgebra::Vector2<f64>]| {
-            to.clear();
-            to.extend(from[..self.nodes].iter().map(|v| [v.x, v.y]));
+        let nodes = |values: &[nalgebra::Vector2<f64>]| {
+            values[..self.nodes].iter().map(|v| [v.x, v.y]).collect()
         };
-        fill(&mut self.coordinates, &scene.nodes.current);
-        fill(&mut self.velocities, &scene.nodes.velocity);
-        self.stresses.clear();
-        self.deletion_table.clear();
-        for &element in &self.elements {
+        let stress = |&element: &usize| {
             let stress = simulation.stresses()[element];
-            self.stresses.push([stress[(0, 0)], stress[(1, 1)], stress[(0, 1)]]);
-            self.deletion_table.push(f64::from(material_number(scene, element)));
-        }
-        self.writer.write_state(&StateView {
+            [stress[(0, 0)], stress[(1, 1)], stress[(0, 1)]]
+        };
+        let material = |&element: &usize| f64::from(material_number(scene, element));
+        State {
             time: simulation.time(),
             kinetic_energy: simulation.previous_kinetic_energy(),
-            coordinates: NodeVectors::Plane(&self.coordinates),
-            velocities: NodeVectors::Plane(&self.velocities),
-            accelerations: NodeVectors::Zero,
-            stresses: Stresses::Plane(&self.stresses),
-            deletion_table: &self.deletion_table,
-        })?;
-        Ok(())
+            coordinates: nodes(&scene.nodes.current),
+            velocities: nodes(&scene.nodes.velocity),
+            stresses: self.elements.iter().map(stress).collect(),
+            deletion_table: self.elements.iter().map(material).collect(),
+        }
     }
 }
 
@@ -191,13 +207,14 @@ impl ResultWriter for D3plotOutput {
         if !simulation.is_output_step() {
             return Ok(());
         }
-        let mut family = match self.family.take() {
+        let family = match self.family.take() {
             Some(family) => family,
             None => self.open(simulation)?,
         };
-        let written = family.write(simulation);
+        let (state, writer) = (family.state(simulation), Arc::clone(&family.writer));
         self.family = Some(family);
-        written
+        self.background
+            .submit(move || state.write(&mut writer.lock().unwrap_or_else(PoisonError::into_inner)))
     }
 
     fn kind(&self) -> &'static str {
@@ -228,9 +245,12 @@ impl ResultWriter for D3plotOutput {
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
-        match self.family {
-            Some(family) => Ok(family.writer.finish()?.files),
-            None => Ok(Vec::new()),
-        }
+        let Some(family) = self.family else { return Ok(Vec::new()) };
+        // all states are written, so that nobody else has the writer
+        let still_used = || io::Error::other("it is still being written");
+        let writer = Arc::into_inner(family.writer).ok_or_else(still_used);
+        let writer = writer.map_err(OutputError::io(self.names.d3plot()))?;
+        let writer = writer.into_inner().unwrap_or_else(PoisonError::into_inner);
+        Ok(writer.finish()?.files)
     }
 }

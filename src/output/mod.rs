@@ -4,6 +4,7 @@
 //! result file is written under a temporary name and takes its final one when
 //! it is complete; the run's log `Ytmp` is written as the run goes.
 
+mod background;
 mod bodies;
 mod d3plot;
 mod elements;
@@ -19,6 +20,7 @@ mod state_file;
 mod vtu;
 mod ygeo;
 
+pub use background::Background;
 pub use bodies::body_of_elements;
 pub use d3plot::D3plotOutput;
 pub use error::OutputError;
@@ -35,7 +37,7 @@ pub use ygeo::YGeoOutput;
 
 use crate::simulation::Simulation;
 use std::{
-    io::{self, BufWriter},
+    io::{self, Write as _},
     path::{Path, PathBuf},
 };
 use yformat::{database::Database, deck::Deck, part_file::PartFile};
@@ -88,7 +90,7 @@ pub trait ResultWriter {
     }
 
     /// What a later run needs to go on with the files from here; what has been written so far
-    /// is on the disk afterwards.
+    /// is on the disk afterwards. Nothing is left to be written in the background.
     ///
     /// # Errors
     /// If the files cannot be gone on with, or the system cannot put them on the disk.
@@ -117,22 +119,30 @@ pub trait ResultWriter {
         Ok(())
     }
 
-    /// Completes all files and names them.
+    /// Completes all files and names them. What was handed over to be written in the background
+    /// has been written.
     ///
     /// # Errors
     /// If a file cannot be completed.
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError>;
 }
 
-/// Writes a file that appears when it is complete.
-pub(crate) fn save(
+/// Writes a file that appears when it is complete: its contents are made now, and go to the disk
+/// while the run goes on.
+fn save(
+    background: &Background,
     path: &Path,
-    write: impl FnOnce(&mut BufWriter<PartFile>) -> io::Result<()>,
+    write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>,
 ) -> Result<(), OutputError> {
-    let save = || {
-        let mut file = BufWriter::new(PartFile::create(path)?);
-        write(&mut file)?;
-        file.into_inner().map_err(io::IntoInnerError::into_error)?.complete()
-    };
-    save().map(drop).map_err(OutputError::io(path))
+    let mut contents = Vec::new();
+    write(&mut contents).map_err(OutputError::io(path))?;
+    let path = path.to_path_buf();
+    background.submit(move || {
+        let write = || {
+            let mut file = PartFile::create(&path)?;
+            file.write_all(&contents)?;
+            file.complete()
+        };
+        write().map(drop).map_err(OutputError::io(&path))
+    })
 }

@@ -4,7 +4,9 @@
 //! The number of masses is written, which the original leaves 0, so that both
 //! the original and Ypsilon read the deck.
 
-use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present, save};
+use super::{
+    Background, OutputError, OutputNames, ResultWriter, decode, encode, file_names, present, save,
+};
 use crate::{
     mechanics::{Vec2, aperture::Aperture},
     scene::JointKind,
@@ -20,6 +22,7 @@ use yformat::{
 /// Writes a restart deck and a mesh at the deck's intervals and after the last step.
 pub struct RestartDeckOutput {
     names: OutputNames,
+    background: Background,
     /// The deck's values, which the state is put into.
     template: RestartDeck,
     /// Output steps so far.
@@ -30,9 +33,10 @@ pub struct RestartDeckOutput {
 impl RestartDeckOutput {
     /// Restart decks of a run.
     #[must_use]
-    pub fn new(names: &OutputNames) -> Self {
+    pub fn new(names: &OutputNames, background: &Background) -> Self {
         let (template, written) = (RestartDeck::default(), Vec::new());
-        Self { names: names.clone(), template, snapshots: 0, written }
+        let (names, background) = (names.clone(), background.clone());
+        Self { names, background, template, snapshots: 0, written }
     }
 
     fn write(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
@@ -40,9 +44,10 @@ impl RestartDeckOutput {
         let next = first + self.snapshots;
         let deck = fill_in(&self.template, simulation, next);
         let path = self.names.restart(next.saturating_sub(1));
-        save(&path, |file| deck.write_to(file, MassCount::Correct).map_err(to_io))?;
+        let background = &self.background;
+        save(background, &path, |file| deck.write_to(file, MassCount::Correct).map_err(to_io))?;
         let mesh = self.names.mesh();
-        save(&mesh, |file| deck.mesh().write_to(file))?;
+        save(background, &mesh, |file| deck.mesh().write_to(file))?;
         for path in [path, mesh] {
             if !self.written.contains(&path) {
                 self.written.push(path);

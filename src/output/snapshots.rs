@@ -2,8 +2,8 @@
 //! (spec `outputs.md` 1, 3.1).
 
 use super::{
-    FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, file_names,
-    mark::mark_of, present,
+    Background, FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, file_names,
+    mark::mark_of, present, save,
 };
 use crate::{
     mechanics::Vec2,
@@ -31,6 +31,7 @@ const MOST_SNAPSHOTS: u64 = 1 << 60;
 /// Writes one `.ym` file per output step and a line of contact forces with each.
 pub struct SnapshotOutput {
     names: OutputNames,
+    background: Background,
     /// Number of the next snapshot.
     number: u64,
     written: Vec<PathBuf>,
@@ -44,7 +45,11 @@ impl SnapshotOutput {
     ///
     /// # Errors
     /// If the file of contact forces cannot be created or read.
-    pub fn open(names: &OutputNames, simulation: &Simulation) -> Result<Self, OutputError> {
+    pub fn open(
+        names: &OutputNames,
+        background: &Background,
+        simulation: &Simulation,
+    ) -> Result<Self, OutputError> {
         let settings = simulation.scene().snapshots;
         let number = settings.map_or(0, |s| s.first_number);
         let path = names.contact_forces();
@@ -54,13 +59,15 @@ impl SnapshotOutput {
             part.write_all(&earlier).map_err(OutputError::io(&path))?;
         }
         let forces = Some(BufWriter::new(part));
-        Ok(Self { names: names.clone(), number, written: Vec::new(), forces })
+        let (names, background) = (names.clone(), background.clone());
+        Ok(Self { names, background, number, written: Vec::new(), forces })
     }
 
     /// Snapshots of an earlier run, to be gone on with.
     #[must_use]
-    pub fn closed(names: &OutputNames) -> Self {
-        Self { names: names.clone(), number: 0, written: Vec::new(), forces: None }
+    pub fn closed(names: &OutputNames, background: &Background) -> Self {
+        let (names, background) = (names.clone(), background.clone());
+        Self { names, background, number: 0, written: Vec::new(), forces: None }
     }
 }
 
@@ -71,12 +78,10 @@ impl ResultWriter for SnapshotOutput {
             return Ok(());
         }
         let path = self.names.snapshot(self.number);
-        let write = || {
-            let part = BufWriter::new(PartFile::create(&path)?);
-            let part = write_snapshot(part, &settings, simulation)?;
-            part.into_inner().map_err(io::IntoInnerError::into_error)?.complete()
-        };
-        self.written.push(write().map_err(OutputError::io(&path))?);
+        save(&self.background, &path, |contents| {
+            write_snapshot(contents, &settings, simulation).map(drop)
+        })?;
+        self.written.push(path);
         self.number += 1;
         let Some(forces) = &mut self.forces else { return Ok(()) };
         writeln!(forces, "{}", contact_force_sums(simulation))

@@ -1,18 +1,18 @@
 //! Full-precision state files in the text form of the reference states: for
 //! debugging and for comparison with other programs.
 
-use super::{OutputError, OutputNames, ResultWriter};
+use super::{Background, OutputError, OutputNames, ResultWriter, save};
 use crate::simulation::Simulation;
 use std::{
     collections::BTreeSet,
-    io::{self, BufWriter, Write},
+    io::{self, Write},
     path::PathBuf,
 };
-use yformat::part_file::PartFile;
 
 /// Writes the state after chosen numbers of completed steps.
 pub struct StateFileOutput {
     names: OutputNames,
+    background: Background,
     steps: BTreeSet<u64>,
     written: Vec<PathBuf>,
 }
@@ -20,8 +20,17 @@ pub struct StateFileOutput {
 impl StateFileOutput {
     /// States after each of `steps` completed steps.
     #[must_use]
-    pub fn new(names: &OutputNames, steps: impl IntoIterator<Item = u64>) -> Self {
-        Self { names: names.clone(), steps: steps.into_iter().collect(), written: Vec::new() }
+    pub fn new(
+        names: &OutputNames,
+        background: &Background,
+        steps: impl IntoIterator<Item = u64>,
+    ) -> Self {
+        Self {
+            names: names.clone(),
+            background: background.clone(),
+            steps: steps.into_iter().collect(),
+            written: Vec::new(),
+        }
     }
 }
 
@@ -30,12 +39,8 @@ impl ResultWriter for StateFileOutput {
         let done = simulation.step_index();
         if self.steps.contains(&done) {
             let path = self.names.state(done);
-            let write = || {
-                let mut file = BufWriter::new(PartFile::create(&path)?);
-                write_state(&mut file, simulation)?;
-                file.into_inner().map_err(io::IntoInnerError::into_error)?.complete()
-            };
-            self.written.push(write().map_err(OutputError::io(&path))?);
+            save(&self.background, &path, |contents| write_state(contents, simulation))?;
+            self.written.push(path);
         }
         Ok(())
     }

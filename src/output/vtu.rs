@@ -5,7 +5,8 @@
 //! force evaluation, in double precision.
 
 use super::{
-    OutputError, OutputNames, ResultWriter, bodies::body_of_elements, decode, encode, present,
+    Background, OutputError, OutputNames, ResultWriter, bodies::body_of_elements, decode, encode,
+    present,
 };
 use crate::{
     mechanics::{Vec2, softening_triangle, triangle},
@@ -13,7 +14,10 @@ use crate::{
     simulation::{JointView, Simulation, joint_views},
 };
 use serde::{Deserialize, Serialize};
-use std::path::PathBuf;
+use std::{
+    path::PathBuf,
+    sync::{Arc, Mutex, PoisonError},
+};
 use ypsilon_converters::{
     stress_measures::{SymmetricTensor, plane, principal, tresca, von_mises},
     vtk::{CellType, Cells, DataArray, PvdSeries, UnstructuredGrid, write_vtu},
@@ -23,13 +27,15 @@ use ypsilon_converters::{
 const JOINTS: &str = "_joints";
 
 /// A file of the series: its time, its part of the picture with number and name, its name.
-#[derive(Serialize, Deserialize)]
+#[derive(Clone, Serialize, Deserialize)]
 struct Entry(f64, u32, String, String);
 
 /// Writes a VTU file per block and output step, and the PVD after each step.
 pub struct VtuOutput {
     names: OutputNames,
-    series: PvdSeries,
+    background: Background,
+    /// The files that are complete.
+    series: Arc<Mutex<PvdSeries>>,
     /// What the series holds.
     entries: Vec<Entry>,
     files: Vec<PathBuf>,
@@ -38,33 +44,43 @@ pub struct VtuOutput {
 impl VtuOutput {
     /// Output named by `names`.
     #[must_use]
-    pub fn new(names: &OutputNames) -> Self {
+    pub fn new(names: &OutputNames, background: &Background) -> Self {
         Self {
             names: names.clone(),
-            series: PvdSeries::new(),
+            background: background.clone(),
+            series: Arc::default(),
             entries: Vec::new(),
             files: Vec::new(),
         }
     }
 
-    fn write(
+    /// What is to be written of a block.
+    fn frame(
         &mut self,
         (part, number, label): (&str, u32, &str),
         simulation: &Simulation,
-        grid: &UnstructuredGrid,
-    ) -> Result<(), OutputError> {
+        grid: UnstructuredGrid,
+    ) -> Frame {
         let path = self.names.vtu(part, simulation.step_index());
-        write_vtu(&path, grid)?;
         let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        self.push(Entry(simulation.time(), number, label.to_owned(), file));
-        self.files.push(path);
-        Ok(())
+        let entry = Entry(simulation.time(), number, label.to_owned(), file);
+        self.entries.push(entry.clone());
+        self.files.push(path.clone());
+        Frame { path, entry, grid }
     }
+}
 
-    fn push(&mut self, entry: Entry) {
-        let Entry(time, number, label, file) = &entry;
-        self.series.push(*time, *number, label, file);
-        self.entries.push(entry);
+/// A file to be written.
+struct Frame {
+    path: PathBuf,
+    entry: Entry,
+    grid: UnstructuredGrid,
+}
+
+impl Entry {
+    fn add_to(&self, series: &mut PvdSeries) {
+        let Self(time, number, label, file) = self;
+        series.push(*time, *number, label, file);
     }
 }
 
@@ -73,13 +89,21 @@ impl ResultWriter for VtuOutput {
         if !simulation.is_output_step() {
             return Ok(());
         }
-        self.write(("", 0, "bodies"), simulation, &body_grid(simulation))?;
+        let mut frames = vec![self.frame(("", 0, "bodies"), simulation, body_grid(simulation))];
         let joints: Vec<JointView> = joint_views(simulation).collect();
         if !joints.is_empty() {
-            self.write((JOINTS, 1, "joints"), simulation, &joint_grid(simulation, &joints))?;
+            let grid = joint_grid(simulation, &joints);
+            frames.push(self.frame((JOINTS, 1, "joints"), simulation, grid));
         }
-        self.series.write(&self.names.pvd())?;
-        Ok(())
+        let (series, pvd) = (Arc::clone(&self.series), self.names.pvd());
+        self.background.submit(move || {
+            let mut series = series.lock().unwrap_or_else(PoisonError::into_inner);
+            for Frame { path, entry, grid } in frames {
+                write_vtu(&path, &grid)?;
+                entry.add_to(&mut series);
+            }
+            Ok(series.write(&pvd)?)
+        })
     }
 
     fn kind(&self) -> &'static str {
@@ -96,15 +120,16 @@ impl ResultWriter for VtuOutput {
         names: &OutputNames,
         _simulation: &Simulation,
     ) -> Result<(), OutputError> {
+        let mut series = self.series.lock().unwrap_or_else(PoisonError::into_inner);
         for entry in decode::<Vec<Entry>>(self.kind(), mark)? {
-            let Entry(time, number, label, file) = entry;
-            let mut path = present(names, std::slice::from_ref(&file))?;
+            let mut path = present(names, std::slice::from_ref(&entry.3))?;
             self.files.append(&mut path);
-            self.push(Entry(time, number, label, file));
+            entry.add_to(&mut series);
+            self.entries.push(entry);
         }
         if !self.entries.is_empty() {
             // the earlier run may have gone further
-            self.series.write(&names.pvd())?;
+            series.write(&names.pvd())?;
         }
         Ok(())
     }

@@ -5,7 +5,9 @@ mod events;
 mod frames;
 mod restart;
 
-use super::{OutputError, OutputNames, ResultWriter, decode, encode, file_names, present, save};
+use super::{
+    Background, OutputError, OutputNames, ResultWriter, decode, encode, file_names, present, save,
+};
 use crate::{mechanics::Vec2, simulation::Simulation};
 use events::{EventFiles, EventMark};
 use restart::{RestartFragments, RestartMark};
@@ -15,6 +17,7 @@ use yformat::{database::Database, deck::Deck, ygeo_output::ResultFile};
 /// Writes all files of Y-Geo but the histories.
 pub struct YGeoOutput {
     prefix: PathBuf,
+    background: Background,
     setup: Option<Setup>,
     events: EventFiles,
     restarts: RestartFragments,
@@ -53,12 +56,13 @@ type VtpMark = (Option<(Vec<usize>, Vec<Vec2>)>, EventMark, RestartMark, Vec<Str
 impl YGeoOutput {
     /// Files of a run, in the folder of its results.
     #[must_use]
-    pub fn new(names: &OutputNames) -> Self {
+    pub fn new(names: &OutputNames, background: &Background) -> Self {
         let prefix = names.prefix();
         Self {
             events: EventFiles::new(&prefix),
-            restarts: RestartFragments::new(&prefix),
+            restarts: RestartFragments::new(&prefix, background),
             prefix,
+            background: background.clone(),
             setup: None,
             written: Vec::new(),
         }
@@ -68,7 +72,7 @@ impl YGeoOutput {
         let Some(setup) = &self.setup else { return Ok(()) };
         for kind in ResultFile::ALL {
             let path = kind.path(&self.prefix, simulation.step_index());
-            save(&path, |file| frames::write(file, kind, simulation, setup))?;
+            save(&self.background, &path, |file| frames::write(file, kind, simulation, setup))?;
             self.written.push(path);
         }
         self.events.write_totals(simulation)

@@ -7,7 +7,7 @@ use super::{
     run::{RunError, RunOptions},
     writers::open_writers,
 };
-use crate::output::{OutputNames, ResultWriter};
+use crate::output::{Background, OutputNames, ResultWriter};
 use yformat::database::Database;
 
 /// More steps, and more triangles times steps, than any run does.
@@ -23,6 +23,7 @@ pub(super) fn resume(
     loaded: &mut LoadedDeck,
     options: &RunOptions,
     names: &OutputNames,
+    background: &Background,
 ) -> Result<(Position, Vec<Box<dyn ResultWriter>>), RunError> {
     let other_deck = || CheckpointError::OtherDeck { deck: options.deck.clone() };
     let mut position = checkpoint.position.clone();
@@ -49,7 +50,7 @@ pub(super) fn resume(
     if let Some(last) = position.ends.last_mut() {
         *last = database.integer("YDC/MCSTEP");
     }
-    let mut writers = open_writers(options, names, simulation, true)?;
+    let mut writers = open_writers(options, names, background, simulation, true)?;
     let kinds: Vec<&str> = checkpoint.marks.iter().map(|(kind, _)| kind.as_str()).collect();
     if !writers.iter().map(|writer| writer.kind()).eq(kinds.iter().copied()) {
         let was = kinds.join(", ");

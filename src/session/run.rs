@@ -11,7 +11,8 @@ use super::{
 };
 use crate::{
     output::{
-        MonitorPlan, OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER, table_row,
+        Background, MonitorPlan, OutputError, OutputNames, ResultWriter, RunTable, TABLE_HEADER,
+        table_row,
     },
     scene::Profile,
     simulation::{SettlingFault, SettlingOptions, Simulation, StressUse},
@@ -119,10 +120,12 @@ pub fn run_with(
     check_names(&names, &checkpoints)?;
     observer.findings(&loaded.findings, loaded.deck.sources());
     let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
+    let background = Background::new();
     let (resumed_at, mut here, mut writers, log) = match &checkpoints.resume {
         Some(checkpoint) => {
             let step = checkpoint.step_index();
-            let (position, writers) = resume(checkpoint, &mut loaded, options, &names)?;
+            let (position, writers) =
+                resume(checkpoint, &mut loaded, options, &names, &background)?;
             let log = match position.log {
                 Some(log) => RunTable::resume(&names.log(), log)?,
                 None => RunTable::create(&names.log())?,
@@ -132,7 +135,7 @@ pub fn run_with(
         None => {
             let log = RunTable::create(&names.log())?;
             let writers = match &loaded.simulation {
-                Some(simulation) => open_writers(options, &names, simulation, false)?,
+                Some(simulation) => open_writers(options, &names, &background, simulation, false)?,
                 None => Vec::new(),
             };
             (None, Position { warnings, ..Position::default() }, writers, log)
@@ -157,6 +160,7 @@ pub fn run_with(
         observer,
         log,
         writers,
+        background,
         warnings,
         started: Instant::now(),
         last_progress: Instant::now(),
@@ -178,6 +182,8 @@ struct Session<'a> {
     observer: &'a mut dyn Observer,
     log: RunTable,
     writers: Vec<Box<dyn ResultWriter>>,
+    /// Where the writers' files are written.
+    background: Background,
     warnings: Vec<String>,
     started: Instant,
     last_progress: Instant,
@@ -353,6 +359,7 @@ impl Session<'_> {
         if self.last_checkpoint == Some(step) {
             return Ok(());
         }
+        self.background.wait()?;
         let mut marks = Vec::with_capacity(self.writers.len());
         for writer in &mut self.writers {
             marks.push((writer.kind().to_owned(), writer.mark()?));
@@ -416,7 +423,7 @@ impl Session<'_> {
         let seconds = self.here.seconds + self.started.elapsed().as_secs_f64();
         let triangle_steps = self.here.triangle_steps + self.triangle_steps;
         let mut files = Vec::new();
-        let mut failure = None;
+        let mut failure = self.background.wait().err();
         for writer in self.writers {
             match writer.finish() {
                 Ok(finished) => files.extend(finished),

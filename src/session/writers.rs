@@ -3,17 +3,19 @@
 use super::{Format, run::RunOptions};
 use crate::{
     output::{
-        D3plotOutput, HistoryOutput, MonitorOutput, OutputError, OutputNames, RestartDeckOutput,
-        ResultWriter, SnapshotOutput, StateFileOutput, VtuOutput, YGeoOutput,
+        Background, D3plotOutput, HistoryOutput, MonitorOutput, OutputError, OutputNames,
+        RestartDeckOutput, ResultWriter, SnapshotOutput, StateFileOutput, VtuOutput, YGeoOutput,
     },
     simulation::Simulation,
 };
 use yformat::{d3plot::StartDate, dialect::Dialect};
 
-/// The writers of a run; those of a run that goes on from a checkpoint have no files yet.
+/// The writers of a run; those of a run that goes on from a checkpoint have no files yet. They
+/// hand over to `background` what takes long.
 pub(super) fn open_writers(
     options: &RunOptions,
     names: &OutputNames,
+    background: &Background,
     simulation: &Simulation,
     is_resumed: bool,
 ) -> Result<Vec<Box<dyn ResultWriter>>, OutputError> {
@@ -28,15 +30,15 @@ pub(super) fn open_writers(
     let is_classic = simulation.classic_joints().is_some();
     if is_classic && formats.contains(&Format::Ym) {
         writers.push(Box::new(match is_resumed {
-            false => SnapshotOutput::open(names, simulation)?,
-            true => SnapshotOutput::closed(names),
+            false => SnapshotOutput::open(names, background, simulation)?,
+            true => SnapshotOutput::closed(names, background),
         }));
     }
     if is_classic && formats.contains(&Format::Restart) {
-        writers.push(Box::new(RestartDeckOutput::new(names)));
+        writers.push(Box::new(RestartDeckOutput::new(names, background)));
     }
     if simulation.scene().conventions.dialect == Dialect::YGeo && formats.contains(&Format::Vtp) {
-        writers.push(Box::new(YGeoOutput::new(names)));
+        writers.push(Box::new(YGeoOutput::new(names, background)));
     }
     if formats.contains(&Format::D3plot) {
         let today = jiff::Zoned::now().date();
@@ -45,16 +47,20 @@ pub(super) fn open_writers(
             month: today.month().unsigned_abs(),
             year: today.year().unsigned_abs(),
         };
-        writers.push(Box::new(D3plotOutput::new(names, start, options.legacy_d3plot)));
+        writers.push(Box::new(D3plotOutput::new(names, background, start, options.legacy_d3plot)));
     }
     if formats.contains(&Format::Vtu) {
-        writers.push(Box::new(VtuOutput::new(names)));
+        writers.push(Box::new(VtuOutput::new(names, background)));
     }
     if !options.monitors.is_empty() {
         writers.push(Box::new(MonitorOutput::open(names, &options.monitors, simulation)?));
     }
     if !options.states.is_empty() {
-        writers.push(Box::new(StateFileOutput::new(names, options.states.iter().copied())));
+        writers.push(Box::new(StateFileOutput::new(
+            names,
+            background,
+            options.states.iter().copied(),
+        )));
     }
     Ok(writers)
 }

@@ -2,7 +2,7 @@
 //! velocities of the deck's own nodes (spec `outputs.md` 5.7).
 
 use super::{
-    super::{OutputError, OutputNames, file_names, present},
+    super::{Background, OutputError, OutputNames, file_names, present},
     save,
 };
 use crate::{mechanics::Vec2, simulation::Simulation};
@@ -17,6 +17,7 @@ use yformat::{
 /// Writes fragments every so many steps and at the last one.
 pub(super) struct RestartFragments {
     prefix: PathBuf,
+    background: Background,
     /// Steps from one to the next; 0 for none.
     interval: u64,
     /// Triangles of the deck by their nodes.
@@ -34,9 +35,10 @@ pub(super) struct RestartMark {
 }
 
 impl RestartFragments {
-    pub fn new(prefix: &Path) -> Self {
+    pub fn new(prefix: &Path, background: &Background) -> Self {
         let (topology, written) = (Vec::new(), Vec::new());
-        Self { prefix: prefix.to_path_buf(), interval: 0, topology, nodes: 0, written }
+        let (prefix, background) = (prefix.to_path_buf(), background.clone());
+        Self { prefix, background, interval: 0, topology, nodes: 0, written }
     }
 
     pub fn begin_stage(&mut self, _deck: &Deck, values: &Database) {
@@ -69,7 +71,7 @@ impl RestartFragments {
             velocities: &velocities,
         };
         let path = TextFile::Restart(self.written.len() as u64).path(&self.prefix);
-        save(&path, |file| fragment.write(file))?;
+        save(&self.background, &path, |file| fragment.write(file))?;
         self.written.push(path);
         Ok(())
     }
