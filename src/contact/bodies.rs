@@ -3,18 +3,18 @@
 use super::placement::{Motion, Shape};
 use crate::{
     lanes::{LANES, Lanes, each},
-    mechanics::{Vec2, triangle},
+    mechanics::Vec2,
     scene::{Elements, Nodes},
 };
 
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
 
-/// Corners and area of a triangle in one cache line, their velocities in the next.
+/// Corners of a triangle in one cache line, their velocities in the next.
 #[derive(Debug, Clone, Copy, Default)]
 #[repr(align(64))]
 pub(super) struct Body {
-    /// x and y of corners 0 and 1; x and y of corner 2, twice the area, nothing.
+    /// x and y of corners 0, 1, 2 and 0: each edge's ends lie one after the other.
     rows: [[f64; 4]; 2],
     /// The same of velocities: x and y of corners 0 and 1; x and y of corner 2, nothing.
     motion: [[f64; 4]; 2],
@@ -23,13 +23,19 @@ pub(super) struct Body {
 impl Body {
     /// The triangle with these corners, and their velocities.
     #[inline(always)]
-    pub fn new(corners: [Vec2; 3], velocities: [Vec2; 3]) -> Self {
-        let double_area = triangle::double_area(&corners);
-        let ([p, q, r], [u, v, w]) = (corners, velocities);
+    pub fn new([p, q, r]: [Vec2; 3], [u, v, w]: [Vec2; 3]) -> Self {
         Self {
-            rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, double_area, 0.0]],
+            rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, p.x, p.y]],
             motion: [[u.x, u.y, v.x, v.y], [w.x, w.y, 0.0, 0.0]],
         }
+    }
+
+    /// Start and end of edge `e`, which is less than 3.
+    #[inline(always)]
+    fn edge(&self, e: usize) -> &[f64; 4] {
+        // nothing is beyond the second row
+        let start = 2 * e.min(2);
+        &self.rows.as_flattened()[start..].as_chunks().0[0]
     }
 
     /// Corner `i`.
@@ -62,7 +68,8 @@ impl<L: Lanes> Triangles<L> {
     #[inline(always)]
     pub fn new(bodies: [&Body; LANES]) -> Self {
         let [x0, y0, x1, y1] = L::transpose(each!(4, |k| L::load(&bodies[k].rows[0])));
-        let [x2, y2, double_area, _] = L::transpose(each!(4, |k| L::load(&bodies[k].rows[1])));
+        let [x2, y2] = L::pairs(each!(4, |k| bodies[k].corner(2)));
+        let double_area = (x1 - x0) * (y2 - y0) - (x2 - x0) * (y1 - y0);
         Self { x: [x0, x1, x2], y: [y0, y1, y2], double_area }
     }
 
@@ -74,11 +81,17 @@ impl<L: Lanes> Triangles<L> {
     }
 }
 
+/// Starts and ends of edges `e` of four triangles, one per lane: x, y, x, y.
+#[inline(always)]
+pub(super) fn edges_of<L: Lanes>(bodies: [&Body; LANES], e: [u8; LANES]) -> [L; 4] {
+    L::transpose(each!(4, |k| L::load(bodies[k].edge(e[k].into()))))
+}
+
 /// Velocities of the corners of four triangles, one per lane.
 #[inline(always)]
 pub(super) fn velocities_of<L: Lanes>(bodies: [&Body; LANES]) -> [[L; 2]; 3] {
     let [x0, y0, x1, y1] = L::transpose(each!(4, |k| L::load(&bodies[k].motion[0])));
-    let [x2, y2, _, _] = L::transpose(each!(4, |k| L::load(&bodies[k].motion[1])));
+    let [x2, y2] = L::pairs(each!(4, |k| &bodies[k].motion[1].as_chunks().0[0]));
     [[x0, y0], [x1, y1], [x2, y2]]
 }
 

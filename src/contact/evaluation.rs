@@ -8,7 +8,7 @@
 
 use super::{
     bodies::{Bodies, Body, Triangles},
-    certain::certainly_clear,
+    certain::{Separator, certainly_clear, certainly_separated},
     clearance::{Clearance, clearance},
     exertion::{Bench, CORNERS, Exertion, Quartet},
     friction::PairTable,
@@ -106,6 +106,7 @@ impl Step<'_> {
         if let Some(path) = self.rest(stay) {
             respites.stay[index] = path;
         }
+        respites.separators[index] = Separator::of(&corners[0], &corners[1]).bits();
     }
 
     /// Whether a couple of which no edge is cut is dropped.
@@ -128,7 +129,9 @@ struct Chunk {
     asked: Places,
     /// Couples that did not touch in the last step.
     separated: Places,
-    /// Those of them that are not certainly clear now, in any order.
+    /// Those of them that the edges which separated them last do not separate now, in any order.
+    unsure: Places,
+    /// Those of them that are not certainly clear, in any order.
     close: Places,
     /// Places among the asked, those with the same edges cut in the last evaluation together.
     alike: Vec<u32>,
@@ -171,6 +174,15 @@ impl Places {
     #[inline(always)]
     fn get(&self) -> &[u32] {
         &self.places[..self.count]
+    }
+
+    /// The four places from `at` on, and a bit for each that there is; a last quartet that is not
+    /// full repeats its first place.
+    #[inline(always)]
+    fn quartet(&self, at: usize) -> ([usize; LANES], u32) {
+        let places = &self.get()[at..];
+        let count = places.len().min(LANES);
+        (each!(4, |k| places[if k < count { k } else { 0 }] as usize), (1 << count) - 1)
     }
 
     /// Adds the places `first` + `k` for every bit `k`.
@@ -269,7 +281,8 @@ impl Evaluator {
         }
         for chunk in &mut self.chunks[..chunks] {
             let couples = size.next_multiple_of(LANES);
-            for places in [&mut chunk.asked, &mut chunk.separated, &mut chunk.close] {
+            let Chunk { asked, separated, unsure, close, .. } = chunk;
+            for places in [asked, separated, unsure, close] {
                 places.reserve(couples);
             }
             if chunk.alike.len() < couples {
@@ -317,7 +330,8 @@ impl Evaluation<'_, '_> {
     /// Lists the couples that neither rest nor are certain to have no effect.
     #[inline(always)]
     fn pass_over<L: Lanes>(&mut self) {
-        for list in [&mut self.chunk.asked, &mut self.chunk.separated, &mut self.chunk.close] {
+        let Chunk { asked, separated, unsure, close, .. } = &mut *self.chunk;
+        for list in [asked, separated, unsure, close] {
             list.clear();
         }
         let path = L::splat(self.step.path);
@@ -340,7 +354,7 @@ impl Evaluation<'_, '_> {
             let tested = awake & stays & !touched & tests;
             self.chunk.asked.push_lanes(first, awake & !tested);
             if tested == ALL {
-                self.test::<L>(each!(4, |k| first + k), participants, ALL);
+                self.try_separators::<L>(each!(4, |k| first + k), participants, ALL);
             } else {
                 self.chunk.separated.push_lanes(first, tested);
             }
@@ -351,12 +365,13 @@ impl Evaluation<'_, '_> {
             }
         }
         for at in (0..self.chunk.separated.count).step_by(LANES) {
-            let quartet = &self.chunk.separated.get()[at..];
-            let count = quartet.len().min(LANES);
-            // a last block that is not full repeats its first couple
-            let of_lane = each!(4, |k| quartet[if k < count { k } else { 0 }] as usize);
+            let (of_lane, valid) = self.chunk.separated.quartet(at);
             let participants = each!(4, |k| self.couples.participants[of_lane[k]]);
-            self.test::<L>(of_lane, &participants, (1 << count) - 1);
+            self.try_separators::<L>(of_lane, &participants, valid);
+        }
+        for at in (0..self.chunk.unsure.count).step_by(LANES) {
+            let (of_lane, valid) = self.chunk.unsure.quartet(at);
+            self.try_all_edges::<L>(of_lane, valid);
         }
         let Chunk { asked, close, .. } = &mut *self.chunk;
         if !close.is_empty() {
@@ -365,16 +380,34 @@ impl Evaluation<'_, '_> {
         }
     }
 
-    /// Lists those of the `valid` couples that are not certain to have no effect; lets the others
-    /// rest.
+    /// Lists those of the `valid` couples that their separators do not separate, and those that
+    /// may be asked whether they can rest.
     #[inline(always)]
-    fn test<L: Lanes>(
+    fn try_separators<L: Lanes>(
         &mut self,
         of_lane: [usize; LANES],
         participants: &[[u32; 2]; LANES],
         valid: u32,
     ) {
         let Self { chunk, step, couples } = self;
+        let RespitesMut { separators, ask, .. } = &couples.respites;
+        let bodies = each!(4, |k| step.bodies_of(participants[k]));
+        let separators = each!(4, |k| Separator::from_bits(separators[of_lane[k]]));
+        let separated = certainly_separated::<L>(&bodies, separators);
+        let due = L::new(each!(4, |k| ask[of_lane[k]])).le(L::splat(step.evaluation));
+        let mut unsure = (!separated | due).bits() & valid;
+        while unsure != 0 {
+            chunk.unsure.push_lanes(of_lane[unsure.trailing_zeros() as usize % LANES], 1);
+            unsure &= unsure - 1;
+        }
+    }
+
+    /// Lists those of the `valid` couples that are not certain to have no effect; lets the others
+    /// rest.
+    #[inline(always)]
+    fn try_all_edges<L: Lanes>(&mut self, of_lane: [usize; LANES], valid: u32) {
+        let Self { chunk, step, couples } = self;
+        let participants = each!(4, |k| couples.participants[of_lane[k]]);
         let bodies = each!(4, |k| step.bodies_of(participants[k]));
         let target = Triangles::<L>::new(each!(4, |k| bodies[k][0]));
         let contactor = Triangles::new(each!(4, |k| bodies[k][1]));

@@ -323,8 +323,11 @@ mod tests {
     use super::*;
     use crate::{
         contact::{
-            Couple, Motion, Proximity, SideForces, bodies::Bodies, certain::certainly_clear,
-            friction::PairTable, overlap,
+            Couple, Motion, Proximity, SideForces,
+            bodies::Bodies,
+            certain::{Separator, certainly_clear, certainly_separated},
+            friction::PairTable,
+            overlap,
         },
         lanes::{self, Kernel},
         scene::PairProperties,
@@ -439,6 +442,15 @@ mod tests {
             let of =
                 |t: usize| Triangles::<L>::new(each!(4, |k| step.bodies_of(participants[k])[t]));
             let clear = certainly_clear(&of(0), &of(1)).bits();
+            // by the best edges and by any
+            let bodies = participants.map(|couple| step.bodies_of(couple));
+            let separated = |separators| certainly_separated::<L>(&bodies, separators).bits();
+            let best = bodies.map(|[t, c]| Separator::of(&t.corners(), &c.corners()));
+            let mut clear_by_edges = separated(best);
+            for bits in 0..11 {
+                clear_by_edges |= separated([Separator::from_bits(bits); LANES]);
+            }
+            assert_eq!(clear_by_edges & !clear, 0);
             (scene.outcome(touching, &forces, &sliding), clear)
         }
     }

@@ -71,19 +71,22 @@ pub(super) struct Respites {
     pub ask: Vec<f64>,
     /// Edges cut in the last evaluation, a bit each.
     pub edges: Vec<u8>,
+    /// Bits of the edges that separate the triangles.
+    pub separators: Vec<u8>,
 }
 
 impl Respites {
     /// Whether they are those of so many couples.
     pub fn is_of(&self, couples: usize) -> bool {
         let paths = [&self.rest, &self.stay, &self.ask];
-        paths.into_iter().all(|values| values.len() == couples) && self.edges.len() == couples
+        paths.into_iter().all(|values| values.len() == couples)
+            && [&self.edges, &self.separators].into_iter().all(|bits| bits.len() == couples)
     }
 
     /// All of them.
     pub fn as_mut(&mut self) -> RespitesMut<'_> {
-        let Self { rest, stay, ask, edges } = self;
-        RespitesMut { rest, stay, ask, edges }
+        let Self { rest, stay, ask, edges, separators } = self;
+        RespitesMut { rest, stay, ask, edges, separators }
     }
 
     fn clear(&mut self) {
@@ -91,6 +94,7 @@ impl Respites {
         self.stay.clear();
         self.ask.clear();
         self.edges.clear();
+        self.separators.clear();
     }
 
     fn push(&mut self, rest: f64) {
@@ -98,6 +102,7 @@ impl Respites {
         self.stay.push(0.0);
         self.ask.push(0.0);
         self.edges.push(0);
+        self.separators.push(0);
     }
 
     /// Keeps the couples for which `keep` holds.
@@ -106,8 +111,10 @@ impl Respites {
             let mut index = 0..;
             values.retain(|_| index.next().is_some_and(&keep));
         }
-        let mut index = 0..;
-        self.edges.retain(|_| index.next().is_some_and(&keep));
+        for bits in [&mut self.edges, &mut self.separators] {
+            let mut index = 0..;
+            bits.retain(|_| index.next().is_some_and(&keep));
+        }
     }
 }
 
@@ -117,21 +124,36 @@ pub(super) struct RespitesMut<'a> {
     pub stay: &'a mut [f64],
     pub ask: &'a mut [f64],
     pub edges: &'a mut [u8],
+    pub separators: &'a mut [u8],
 }
 
 impl<'a> RespitesMut<'a> {
     /// Those of so many couples each.
     pub fn chunks(self, size: usize) -> impl Iterator<Item = RespitesMut<'a>> {
         let paths = self.rest.chunks_mut(size).zip(self.stay.chunks_mut(size));
-        let others = self.ask.chunks_mut(size).zip(self.edges.chunks_mut(size));
-        paths.zip(others).map(|((rest, stay), (ask, edges))| RespitesMut { rest, stay, ask, edges })
+        let bits = self.edges.chunks_mut(size).zip(self.separators.chunks_mut(size));
+        let others = self.ask.chunks_mut(size).zip(bits);
+        paths.zip(others).map(|((rest, stay), (ask, (edges, separators)))| RespitesMut {
+            rest,
+            stay,
+            ask,
+            edges,
+            separators,
+        })
     }
 
     /// The same for any thread.
     pub fn par_chunks(self, size: usize) -> impl IndexedParallelIterator<Item = RespitesMut<'a>> {
         let paths = self.rest.par_chunks_mut(size).zip(self.stay.par_chunks_mut(size));
-        let others = self.ask.par_chunks_mut(size).zip(self.edges.par_chunks_mut(size));
-        paths.zip(others).map(|((rest, stay), (ask, edges))| RespitesMut { rest, stay, ask, edges })
+        let bits = self.edges.par_chunks_mut(size).zip(self.separators.par_chunks_mut(size));
+        let others = self.ask.par_chunks_mut(size).zip(bits);
+        paths.zip(others).map(|((rest, stay), (ask, (edges, separators)))| RespitesMut {
+            rest,
+            stay,
+            ask,
+            edges,
+            separators,
+        })
     }
 }
 
