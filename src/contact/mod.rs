@@ -4,6 +4,7 @@
 mod bodies;
 mod bonds;
 mod certain;
+mod chunk;
 mod clearance;
 mod couples;
 mod detection;
@@ -16,6 +17,7 @@ mod interaction;
 mod locate;
 mod overlap2;
 mod placement;
+mod places;
 mod profile;
 mod visits;
 
