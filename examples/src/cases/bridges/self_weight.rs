@@ -145,16 +145,16 @@ fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
 /// Steps of the thesis's colours (1.66 of 8.30): what its pictures can tell apart.
 const COLOUR: f64 = 0.2;
 
-/// The largest compression is at the bottom of the footings, as far as the thesis's colours tell.
+/// The largest compression is at the bottom of the footings, which is the course on the ground, as far
+/// as the thesis's colours tell.
 fn place(run: &BridgeRun, frame: &Frame) -> Finding {
     let (largest, [x, y]) = run.compression(frame);
     let course = run.bridge.height_m / run.bridge.courses as f64;
-    let footing = run.radius()..run.radius() + run.bridge.ring_thickness_m;
     let stress = frame.stress.as_deref().unwrap_or_default();
     let bottom = stress
         .iter()
         .zip(middles(frame))
-        .filter(|(_, at)| at[1] < course && footing.contains(&at[0].abs()))
+        .filter(|(_, at)| at[1] < course && at[0].abs() < run.half_length())
         .map(|(s, _)| -s[1])
         .fold(0.0, f64::max);
     Finding::statement(
