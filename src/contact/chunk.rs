@@ -10,7 +10,7 @@ use super::{
     certain::{Separator, certainly_clear, certainly_separated},
     evaluation::{Couples, Done, Step},
     exertion::{Bench, CORNERS, Exertion, Quartet},
-    places::{ALL, Places},
+    places::{ALL, Places, quartet},
     visits::{RespitesMut, Traits},
 };
 use crate::{
@@ -21,7 +21,8 @@ use crate::{
 /// Sets of edges of a couple that can be cut.
 const EDGE_SETS: usize = 1 << CORNERS;
 
-/// Some couples in a row, and what is found out about them. Couples are named by their places in the chunk.
+/// Some couples in a row, and what is found out about them. Couples are named by their places in the
+/// chunk.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Chunk {
     /// Couples to be evaluated.
@@ -133,13 +134,13 @@ impl Evaluation<'_, '_> {
             }
         }
         for at in (0..self.chunk.separated.len()).step_by(LANES) {
-            let (of_lane, valid) = self.chunk.separated.quartet(at);
+            let (of_lane, count) = quartet(&self.chunk.separated.get()[at..]);
             let participants = each!(4, |k| self.couples.participants[of_lane[k]]);
-            self.try_separators::<L>(of_lane, &participants, valid);
+            self.try_separators::<L>(of_lane, &participants, (1 << count) - 1);
         }
         for at in (0..self.chunk.unsure.len()).step_by(LANES) {
-            let (of_lane, valid) = self.chunk.unsure.quartet(at);
-            self.try_all_edges::<L>(of_lane, valid);
+            let (of_lane, count) = quartet(&self.chunk.unsure.get()[at..]);
+            self.try_all_edges::<L>(of_lane, (1 << count) - 1);
         }
         let Chunk { asked, close, .. } = &mut *self.chunk;
         if !close.is_empty() {
@@ -163,11 +164,7 @@ impl Evaluation<'_, '_> {
         let separators = each!(4, |k| Separator::from_bits(separators[of_lane[k]]));
         let separated = certainly_separated::<L>(&bodies, separators);
         let due = L::new(each!(4, |k| ask[of_lane[k]])).le(L::splat(step.evaluation));
-        let mut unsure = (!separated | due).bits() & valid;
-        while unsure != 0 {
-            chunk.unsure.push_lanes(of_lane[unsure.trailing_zeros() as usize % LANES], 1);
-            unsure &= unsure - 1;
-        }
+        chunk.unsure.push_those(of_lane, (!separated | due).bits() & valid);
     }
 
     /// Lists those of the `valid` couples that are not certain to have no effect; lets the others
@@ -187,11 +184,7 @@ impl Evaluation<'_, '_> {
             due &= due - 1;
             step.ask(participants[lane], &mut couples.respites, of_lane[lane]);
         }
-        let mut unclear = valid & !clear;
-        while unclear != 0 {
-            chunk.close.push_lanes(of_lane[unclear.trailing_zeros() as usize % LANES], 1);
-            unclear &= unclear - 1;
-        }
+        chunk.close.push_those(of_lane, valid & !clear);
     }
 
     /// Sorts the asked couples by the edges cut in their last evaluation: couples that are
@@ -228,23 +221,22 @@ impl Evaluation<'_, '_> {
         let asked = asked.get();
         let mut bench = Bench::<L>::new();
         for places in alike[..asked.len()].chunks(LANES) {
-            // a last block that is not full repeats its first couple
-            let place = each!(4, |k| places[if k < places.len() { k } else { 0 }] as usize);
+            let (place, count) = quartet(places);
             let of_lane = each!(4, |k| asked[place[k]] as usize);
-            let quartet = Quartet {
+            let four = Quartet {
                 couples: of_lane,
                 participants: each!(4, |k| couples.participants[of_lane[k]]),
                 traits: each!(4, |k| traits[place[k]]),
-                count: places.len(),
+                count,
             };
-            let edges = quartet.exert(step, couples.visits, &mut bench, place, exertions);
-            for lane in 0..places.len() {
+            let edges = four.exert(step, couples.visits, &mut bench, place, exertions);
+            for lane in 0..count {
                 let couple = of_lane[lane];
                 couples.respites.edges[couple] = edges[lane];
                 if edges[lane] != 0 {
                     continue;
                 }
-                let participants = quartet.participants[lane];
+                let participants = four.participants[lane];
                 if step.is_beyond(participants) {
                     couples.visits[couple].is_dropped = true;
                     done.dropped = true;

@@ -5,8 +5,8 @@ use crate::lanes::{LANES, each};
 /// All bits of the lanes.
 pub(super) const ALL: u32 = (1 << LANES) - 1;
 
-/// Places of couples in a chunk, ascending where nothing else is said. There is always room for more than there can be, so
-/// that the list grows without branches.
+/// Places of couples in a chunk, ascending where nothing else is said. There is always room for more
+/// than there can be, so that the list grows without branches.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Places {
     places: Vec<u32>,
@@ -39,18 +39,15 @@ impl Places {
         &self.places[..self.count]
     }
 
-    /// The four places from `at` on, and a bit for each that there is; a last quartet that is not
-    /// full repeats its first place.
-    #[inline(always)]
-    pub fn quartet(&self, at: usize) -> ([usize; LANES], u32) {
-        let places = &self.get()[at..];
-        let count = places.len().min(LANES);
-        (each!(4, |k| places[if k < count { k } else { 0 }] as usize), (1 << count) - 1)
-    }
-
     /// Adds the places `first` + `k` for every bit `k`.
     #[inline(always)]
     pub fn push_lanes(&mut self, first: usize, bits: u32) {
+        self.push_those(each!(4, |k| first + k), bits);
+    }
+
+    /// Adds the place of every lane that has its bit.
+    #[inline(always)]
+    pub fn push_those(&mut self, of_lane: [usize; LANES], bits: u32) {
         if bits == 0 {
             return;
         }
@@ -58,7 +55,7 @@ impl Places {
         // no branches: which couples are meant cannot be predicted
         let mut count = 0;
         for lane in 0..LANES {
-            room[count % LANES] = (first + lane) as u32;
+            room[count % LANES] = of_lane[lane] as u32;
             count += (bits >> lane & 1) as usize;
         }
         self.count += count;
@@ -89,6 +86,14 @@ impl Places {
     }
 }
 
+/// The first four places, and how many of them there are; a last quartet that is not full repeats
+/// its first place.
+#[inline(always)]
+pub(super) fn quartet(places: &[u32]) -> ([usize; LANES], usize) {
+    let count = places.len().min(LANES);
+    (each!(4, |k| places[if k < count { k } else { 0 }] as usize), count)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -111,8 +116,8 @@ mod tests {
     #[test]
     fn a_last_quartet_repeats_its_first_place() {
         let places = places(&[1, 2, 4, 8, 16, 32]);
-        assert_eq!(places.quartet(0), ([1, 2, 4, 8], 0b1111));
-        assert_eq!(places.quartet(4), ([16, 32, 16, 16], 0b11));
+        assert_eq!(quartet(places.get()), ([1, 2, 4, 8], 4));
+        assert_eq!(quartet(&places.get()[4..]), ([16, 32, 16, 16], 2));
     }
 
     #[test]

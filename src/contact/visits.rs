@@ -107,14 +107,15 @@ impl Respites {
 
     /// Keeps the couples for which `keep` holds.
     fn retain(&mut self, keep: impl Fn(usize) -> bool) {
-        for values in [&mut self.rest, &mut self.stay, &mut self.ask] {
+        fn retain<T>(values: &mut Vec<T>, keep: impl Fn(usize) -> bool) {
             let mut index = 0..;
             values.retain(|_| index.next().is_some_and(&keep));
         }
-        for bits in [&mut self.edges, &mut self.separators] {
-            let mut index = 0..;
-            bits.retain(|_| index.next().is_some_and(&keep));
-        }
+        retain(&mut self.rest, &keep);
+        retain(&mut self.stay, &keep);
+        retain(&mut self.ask, &keep);
+        retain(&mut self.edges, &keep);
+        retain(&mut self.separators, &keep);
     }
 }
 
@@ -127,19 +128,20 @@ pub(super) struct RespitesMut<'a> {
     pub separators: &'a mut [u8],
 }
 
+/// Parts of the arrays of [`RespitesMut`], as zipped iterators give them.
+type Zipped<'a> = ((&'a mut [f64], &'a mut [f64]), (&'a mut [f64], (&'a mut [u8], &'a mut [u8])));
+
 impl<'a> RespitesMut<'a> {
+    fn zipped(((rest, stay), (ask, (edges, separators))): Zipped<'a>) -> Self {
+        Self { rest, stay, ask, edges, separators }
+    }
+
     /// Those of so many couples each.
     pub fn chunks(self, size: usize) -> impl Iterator<Item = RespitesMut<'a>> {
         let paths = self.rest.chunks_mut(size).zip(self.stay.chunks_mut(size));
         let bits = self.edges.chunks_mut(size).zip(self.separators.chunks_mut(size));
         let others = self.ask.chunks_mut(size).zip(bits);
-        paths.zip(others).map(|((rest, stay), (ask, (edges, separators)))| RespitesMut {
-            rest,
-            stay,
-            ask,
-            edges,
-            separators,
-        })
+        paths.zip(others).map(Self::zipped)
     }
 
     /// The same for any thread.
@@ -147,13 +149,7 @@ impl<'a> RespitesMut<'a> {
         let paths = self.rest.par_chunks_mut(size).zip(self.stay.par_chunks_mut(size));
         let bits = self.edges.par_chunks_mut(size).zip(self.separators.par_chunks_mut(size));
         let others = self.ask.par_chunks_mut(size).zip(bits);
-        paths.zip(others).map(|((rest, stay), (ask, (edges, separators)))| RespitesMut {
-            rest,
-            stay,
-            ask,
-            edges,
-            separators,
-        })
+        paths.zip(others).map(Self::zipped)
     }
 }
 

@@ -156,7 +156,8 @@ fn gone() -> OutputError {
     OutputError::io("result files")(io::Error::other("the thread that writes them has ended"))
 }
 
-fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
+/// What the mutex holds: a thread that panicked with it has said so itself.
+pub(super) fn lock<T>(mutex: &Mutex<T>) -> std::sync::MutexGuard<'_, T> {
     mutex.lock().unwrap_or_else(PoisonError::into_inner)
 }
 

@@ -1,7 +1,9 @@
 //! d3plot family of a run (spec `y2d3d.md` G.2).
 
 use super::{
-    Background, FilePosition, OutputError, OutputNames, ResultWriter, decode,
+    Background, FilePosition, OutputError, OutputNames, ResultWriter,
+    background::lock,
+    decode,
     elements::{is_joint, material_number, original_material_number, shown_elements},
     encode,
 };
@@ -135,7 +137,7 @@ struct Continuation {
 
 impl Continuation {
     fn of(family: &mut Family) -> Result<Self, OutputError> {
-        let mark = family.writer.lock().unwrap_or_else(PoisonError::into_inner).mark()?;
+        let mark = lock(&family.writer).mark()?;
         Ok(Self {
             control: mark.control.to_bytes().to_vec(),
             member: mark.member,
@@ -213,8 +215,7 @@ impl ResultWriter for D3plotOutput {
         };
         let (state, writer) = (family.state(simulation), Arc::clone(&family.writer));
         self.family = Some(family);
-        self.background
-            .submit(move || state.write(&mut writer.lock().unwrap_or_else(PoisonError::into_inner)))
+        self.background.submit(move || state.write(&mut lock(&writer)))
     }
 
     fn kind(&self) -> &'static str {

@@ -5,8 +5,8 @@
 //! force evaluation, in double precision.
 
 use super::{
-    Background, OutputError, OutputNames, ResultWriter, bodies::body_of_elements, decode, encode,
-    present,
+    Background, OutputError, OutputNames, ResultWriter, background::lock, bodies::body_of_elements,
+    decode, encode, present,
 };
 use crate::{
     mechanics::{Vec2, softening_triangle, triangle},
@@ -16,7 +16,7 @@ use crate::{
 use serde::{Deserialize, Serialize};
 use std::{
     path::PathBuf,
-    sync::{Arc, Mutex, PoisonError},
+    sync::{Arc, Mutex},
 };
 use ypsilon_converters::{
     stress_measures::{SymmetricTensor, plane, principal, tresca, von_mises},
@@ -97,7 +97,7 @@ impl ResultWriter for VtuOutput {
         }
         let (series, pvd) = (Arc::clone(&self.series), self.names.pvd());
         self.background.submit(move || {
-            let mut series = series.lock().unwrap_or_else(PoisonError::into_inner);
+            let mut series = lock(&series);
             for Frame { path, entry, grid } in frames {
                 write_vtu(&path, &grid)?;
                 entry.add_to(&mut series);
@@ -120,7 +120,7 @@ impl ResultWriter for VtuOutput {
         names: &OutputNames,
         _simulation: &Simulation,
     ) -> Result<(), OutputError> {
-        let mut series = self.series.lock().unwrap_or_else(PoisonError::into_inner);
+        let mut series = lock(&self.series);
         for entry in decode::<Vec<Entry>>(self.kind(), mark)? {
             let mut path = present(names, std::slice::from_ref(&entry.3))?;
             self.files.append(&mut path);

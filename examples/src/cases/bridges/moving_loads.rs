@@ -261,15 +261,15 @@ fn evaluate_convoy(bench: &Bench) -> Result<Outcome, CaseError> {
         let feet = footings(run, drive.start)?;
         findings.push(
             Finding::statement(
-            &format!("footing with the larger reaction during the drive, {label}"),
-            "right",
-            &format!(
-                "left {:.0} kN more than before, right {:.0} kN",
-                feet[0] / 1e3,
-                feet[1] / 1e3
-            ),
-            feet[1] > feet[0],
-        )
+                &format!("footing with the larger reaction during the drive, {label}"),
+                "right",
+                &format!(
+                    "left {:.0} kN more than before, right {:.0} kN",
+                    feet[0] / 1e3,
+                    feet[1] / 1e3
+                ),
+                feet[1] > feet[0],
+            )
             .noted(
                 "The axles wait over the left footing and leave over the right one; of a bridge that stays elastic \
                  both carry the same at most. The thesis's right footing is worse by what the drive damaged.",
