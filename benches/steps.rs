@@ -9,7 +9,7 @@ mod support;
 use divan::{Bencher, black_box, counter::ItemsCount};
 use support::{
     grid_deck::jointed_wall,
-    scenes::{reference_scene, scene, step},
+    scenes::{on_threads, reference_scene, scene, step},
 };
 use ypsilon::{
     contact::{Couple, Motion, Shape, SideForces, overlap},
@@ -19,7 +19,6 @@ use ypsilon::{
         triangle::{Elasticity, ReferenceShape, StressLaw, cauchy_stress, nodal_forces},
     },
     scene::{CohesiveLaw, PairProperties, RockJoint, Scene},
-    simulation::Simulation,
 };
 
 fn main() {
@@ -28,14 +27,11 @@ fn main() {
 
 /// Steps of a scene that has settled a little.
 fn bench_steps(bencher: Bencher<'_, '_>, scene: Scene, threads: usize) {
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-    let mut simulation = Simulation::new(scene);
+    let mut simulation = on_threads(&scene, threads);
     simulation.prepare().expect("the deck leaves room for its joints");
-    pool.install(|| (0..20).for_each(|_| step(&mut simulation)));
+    (0..20).for_each(|_| step(&mut simulation));
     let triangles = simulation.triangles().count();
-    bencher
-        .counter(ItemsCount::new(triangles))
-        .bench_local(|| pool.install(|| step(&mut simulation)));
+    bencher.counter(ItemsCount::new(triangles)).bench_local(|| step(&mut simulation));
 }
 
 #[divan::bench(args = ["j_wall", "k_arch_fr0.7", "n_wall_tension"])]

@@ -18,6 +18,7 @@ pub mod output;
 pub mod scene;
 pub mod session;
 pub mod simulation;
+pub mod team;
 
 /// The absolute tolerance of the original program: lengths, areas, masses and
 /// area coordinates below it count as zero (spec `y2d3d.md`, notation). It

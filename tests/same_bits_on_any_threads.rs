@@ -2,10 +2,9 @@
 
 mod support;
 
-use rayon::ThreadPoolBuilder;
 use support::{
     grid_deck::jointed_wall,
-    scenes::{bits, reference_scene, scene, step},
+    scenes::{bits, on_threads, reference_scene, scene, step},
 };
 use yformat::dialect::Dialect;
 use ypsilon::{
@@ -31,17 +30,14 @@ fn walls_of_the_other_dialects_move_alike() {
 
 fn moves_alike(scene: &Scene) {
     let run = |threads| {
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| {
-            let mut simulation = Simulation::new(scene.clone());
-            simulation.prepare().expect("the deck leaves room for its joints");
-            (0..25).for_each(|_| step(&mut simulation));
-            let work = simulation.couple_work().expect("the scene has contact");
-            assert!(work.most_couples > 1000, "{work:?}");
-            assert!(simulation.triangles().count() > 16_384);
-            assert!(joint_views(&simulation).count() > 16_384);
-            bits(&simulation)
-        })
+        let mut simulation = on_threads(scene, threads);
+        simulation.prepare().expect("the deck leaves room for its joints");
+        (0..25).for_each(|_| step(&mut simulation));
+        let work = simulation.couple_work().expect("the scene has contact");
+        assert!(work.most_couples > 1000, "{work:?}");
+        assert!(simulation.triangles().count() > 16_384);
+        assert!(joint_views(&simulation).count() > 16_384);
+        bits(&simulation)
     };
     let alone = run(1);
     for threads in [2, 3, 8] {

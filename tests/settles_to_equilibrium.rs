@@ -2,11 +2,10 @@
 
 mod support;
 
-use rayon::ThreadPoolBuilder;
 use std::fs;
 use support::{
     grid_deck::jointed_wall,
-    scenes::{bits, scene},
+    scenes::{bits, on_threads, scene},
     settling::{difference, prepared, ratio, scene_of, settle, settled, stresses, waited},
 };
 use tempfile::TempDir;
@@ -212,13 +211,11 @@ fn any_number_of_threads_settles_to_the_same_bits() {
     let scene = scene(&jointed_wall(96, 96, 1000));
     let options = SettlingOptions { tolerance: 1e-4, most_iterations: 25 };
     let run = |threads| {
-        let pool = ThreadPoolBuilder::new().num_threads(threads).build().expect("threads");
-        pool.install(|| {
-            let mut simulation = prepared(&scene);
-            let fault = settle(&mut simulation, options).expect_err("too few iterations");
-            assert!(matches!(fault, SettlingFault::NotSettled { .. }), "{fault}");
-            (bits(&simulation), fault.to_string())
-        })
+        let mut simulation = on_threads(&scene, threads);
+        simulation.prepare().expect("the deck leaves room for its joints");
+        let fault = settle(&mut simulation, options).expect_err("too few iterations");
+        assert!(matches!(fault, SettlingFault::NotSettled { .. }), "{fault}");
+        (bits(&simulation), fault.to_string())
     };
     let alone = run(1);
     for threads in [2, 3] {

@@ -12,6 +12,7 @@ use ypsilon::{
     scene::Profile,
     session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent, StopReason},
     simulation::{Simulation, SolverOptions},
+    team::Team,
 };
 use ypsilon_post::{plot::Picture, results::Results, table::Table};
 
@@ -285,7 +286,10 @@ fn is_sound(simulation: &Simulation) -> bool {
 }
 
 fn load(deck: &Path) -> Result<session::LoadedDeck, CaseError> {
-    session::load(deck, None, Profile::default(), SolverOptions::default()).map_err(|fault| {
+    let team = Team::of_all_cores()
+        .map_err(|source| CaseError::Io { path: deck.to_path_buf(), source })?;
+    let options = SolverOptions { team, ..SolverOptions::default() };
+    session::load(deck, None, Profile::default(), options).map_err(|fault| {
         let message = match &fault {
             DeckFault::Findings { findings, .. } => {
                 findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")

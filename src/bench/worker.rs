@@ -6,6 +6,7 @@ use crate::{
     scene::Profile,
     session::{Format, RunOptions, Silent, load, run},
     simulation::{PhaseTimes, SolverOptions, joint_views},
+    team::Team,
 };
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -54,8 +55,9 @@ pub struct Measurement {
 ///
 /// # Errors
 /// If the deck cannot be run or a file cannot be written.
-pub fn work(work: &Work) -> Result<Measurement, BenchError> {
-    let mut loaded = load(&work.deck, None, Profile::default(), SolverOptions::default())?;
+pub fn work(work: &Work, team: Team) -> Result<Measurement, BenchError> {
+    let solver = SolverOptions { team, ..SolverOptions::default() };
+    let mut loaded = load(&work.deck, None, Profile::default(), solver)?;
     let Some(simulation) = &mut loaded.simulation else {
         return Err(BenchError::NothingRuns(work.deck.clone()));
     };

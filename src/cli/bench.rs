@@ -5,9 +5,12 @@ use super::{
     console::{say, warn},
     deck_report,
 };
-use crate::bench::{
-    BenchError, Plan, Program, Report, SCENES, Scene, Subject, Work, found_decks, markdown,
-    run_suite, work, work_precision,
+use crate::{
+    bench::{
+        BenchError, Plan, Program, Report, SCENES, Scene, Subject, Work, found_decks, markdown,
+        run_suite, work, work_precision,
+    },
+    team::Team,
 };
 use clap::Args;
 use std::path::{Path, PathBuf};
@@ -133,15 +136,14 @@ fn exit_of(error: &BenchError) -> Exit {
 
 fn run_worker(arguments: &BenchArguments, deck: &Path) -> Result<(), BenchError> {
     let threads = arguments.threads.first().copied().unwrap_or(1);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(usize::from(threads));
-    let failed = |error| BenchError::io("threads")(std::io::Error::other(error));
-    pool.build_global().map_err(failed)?;
-    let measurement = work(&Work {
+    let team = Team::new(threads.into()).map_err(BenchError::io("threads"))?;
+    let task = Work {
         deck: deck.to_path_buf(),
         folder: arguments.worker_folder.clone(),
         steps: arguments.steps,
         takes_phases: arguments.worker_phases,
-    })?;
+    };
+    let measurement = work(&task, team)?;
     let text = serde_json::to_string(&measurement);
     say(&text.map_err(|error| BenchError::io("the measurement")(error.into()))?);
     Ok(())

@@ -12,6 +12,7 @@ use crate::{
         ScenarioError, StopReason, deck_of_scenario, load, run_with,
     },
     simulation::{SettlingFault, SettlingOptions, SolverOptions},
+    team::Team,
 };
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -188,13 +189,13 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         warn("error: --threads needs at least 1");
         return Exit::Usage;
     }
-    // this thread is one of them: it works instead of waiting for others
-    let threads = arguments.threads.unwrap_or(0);
-    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).use_current_thread();
-    if let Err(error) = pool.build_global() {
-        warn(&format!("error: cannot start {threads} threads: {error}"));
-        return Exit::Usage;
-    }
+    let team = match arguments.threads.map_or_else(Team::of_all_cores, Team::new) {
+        Ok(team) => team,
+        Err(error) => {
+            warn(&format!("error: cannot start the threads: {error}"));
+            return Exit::Usage;
+        }
+    };
     let (deck, scenario_monitors) = match arguments.deck_and_monitors() {
         Ok(found) => found,
         Err(error) => {
@@ -211,7 +212,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
     };
     let settings = arguments.settings(resume.as_ref());
     let dialect = settings.dialect.as_deref().and_then(|name| name.parse::<Dialect>().ok());
-    let solver = SolverOptions { skip_separated_couples: !arguments.no_skip };
+    let solver = SolverOptions { skip_separated_couples: !arguments.no_skip, team };
     let loaded = match load(&deck, dialect, settings.profile, solver) {
         Ok(loaded) => loaded,
         Err(fault) => return deck_report::print_fault(&fault, arguments.quiet),

@@ -5,7 +5,11 @@ use crate::{
     lanes::{LANES, Lanes, each},
     mechanics::Vec2,
     scene::{Elements, Nodes},
+    team::Team,
 };
+
+/// From so many triangles on, threads are used: about 10 µs of work for one.
+const PARALLEL_FROM: usize = 512;
 
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
@@ -138,16 +142,23 @@ impl Bodies {
     }
 
     /// Takes over the present positions and velocities.
-    pub fn update(&mut self, nodes: &Nodes<2>) {
+    pub fn update(&mut self, nodes: &Nodes<2>, team: &Team) {
         self.bodies.resize(self.corners.len(), Body::default());
         let Nodes { current, velocity, .. } = nodes;
-        for (body, &[p, q, r]) in self.bodies.iter_mut().zip(&self.corners) {
-            let [p, q, r] = [p as usize, q as usize, r as usize];
-            *body = Body::new(
-                [current[p], current[q], current[r]],
-                [velocity[p], velocity[q], velocity[r]],
-            );
-        }
+        let part = match self.corners.len() {
+            few if few < PARALLEL_FROM => PARALLEL_FROM,
+            many => many.div_ceil(team.size()),
+        };
+        let parts = self.bodies.chunks_mut(part).zip(self.corners.chunks(part));
+        team.share(parts, |(bodies, corners)| {
+            for (body, &[p, q, r]) in bodies.iter_mut().zip(corners) {
+                let [p, q, r] = [p as usize, q as usize, r as usize];
+                *body = Body::new(
+                    [current[p], current[q], current[r]],
+                    [velocity[p], velocity[q], velocity[r]],
+                );
+            }
+        });
     }
 
     /// Takes over the present positions and velocities as shapes and motions.

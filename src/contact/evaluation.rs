@@ -12,8 +12,8 @@ use super::{
     placement::Placement,
     visits::{RespitesMut, Visit},
 };
-use crate::{lanes::each, mechanics::Vec2};
-use rayon::prelude::*;
+use crate::{lanes::each, mechanics::Vec2, team::Team};
+use std::iter::once;
 
 /// A couple that could not be let rest is asked again after so many evaluations.
 const PATIENCE: f64 = 64.0;
@@ -122,7 +122,7 @@ pub(super) struct Couples<'a> {
 
 impl<'a> Couples<'a> {
     /// So many couples each.
-    fn chunks(self, size: usize) -> impl Iterator<Item = Couples<'a>> {
+    fn chunks(self, size: usize) -> impl Iterator<Item = Couples<'a>> + Send {
         let lists = self.visits.chunks_mut(size).zip(self.participants.chunks(size));
         lists.zip(self.respites.chunks(size)).map(|((visits, participants), respites)| Couples {
             visits,
@@ -130,14 +130,14 @@ impl<'a> Couples<'a> {
             respites,
         })
     }
+}
 
-    /// The same for any thread.
-    fn par_chunks(self, size: usize) -> impl IndexedParallelIterator<Item = Couples<'a>> {
-        let lists = self.visits.par_chunks_mut(size).zip(self.participants.par_chunks(size));
-        lists
-            .zip(self.respites.par_chunks(size))
-            .map(|((visits, participants), respites)| Couples { visits, participants, respites })
-    }
+/// What a thread does at a time.
+enum Task<'a, 'b> {
+    /// Adds the forces of some chunks.
+    Scatter(&'b [Chunk], &'b mut [Vec2]),
+    /// Evaluates some couples.
+    Evaluate(Couples<'a>, &'b mut Chunk),
 }
 
 /// Buffers reused from step to step: while the couples of one bank are evaluated, those of the other
@@ -149,10 +149,15 @@ pub(super) struct Evaluator {
 
 impl Evaluator {
     /// Evaluates the couples and adds their forces, in the order of the list.
-    pub fn evaluate(&mut self, step: &Step<'_>, couples: Couples<'_>, forces: &mut [Vec2]) -> Done {
-        let threads = rayon::current_num_threads();
-        if threads > 1 && couples.visits.len() >= PARALLEL_FROM {
-            self.evaluate_on(threads, step, couples, forces)
+    pub fn evaluate(
+        &mut self,
+        step: &Step<'_>,
+        couples: Couples<'_>,
+        forces: &mut [Vec2],
+        team: &Team,
+    ) -> Done {
+        if team.size() > 1 && couples.visits.len() >= PARALLEL_FROM {
+            self.evaluate_on(team, step, couples, forces)
         } else {
             self.evaluate_alone(step, couples, forces)
         }
@@ -178,7 +183,7 @@ impl Evaluator {
     /// Round by round, so that what couples exert needs little memory.
     fn evaluate_on(
         &mut self,
-        threads: usize,
+        team: &Team,
         step: &Step<'_>,
         couples: Couples<'_>,
         forces: &mut [Vec2],
@@ -187,19 +192,19 @@ impl Evaluator {
         let scatter = |chunks: &[Chunk], forces: &mut [Vec2]| {
             chunks.iter().for_each(|chunk| chunk.scatter(step, forces));
         };
+        let work = |task: Task<'_, '_>| match task {
+            Task::Scatter(chunks, forces) => scatter(chunks, forces),
+            Task::Evaluate(couples, chunk) => chunk.evaluate(step, couples),
+        };
         // how many of the other bank have not added their forces yet
         let mut waiting = 0;
-        for round in couples.chunks(threads * CHUNKS_PER_THREAD * CHUNK) {
+        for round in couples.chunks(team.size() * CHUNKS_PER_THREAD * CHUNK) {
             let [bank, other] = &mut self.banks;
             let chunks = round.visits.len().div_ceil(CHUNK);
             let bank = room_for(bank, chunks);
-            rayon::join(
-                || scatter(&other[..waiting], forces),
-                || {
-                    let pairs = round.par_chunks(CHUNK).zip(&mut *bank);
-                    pairs.for_each(|(couples, chunk)| chunk.evaluate(step, couples));
-                },
-            );
+            let pairs = round.chunks(CHUNK).zip(&mut *bank);
+            let tasks = pairs.map(|(couples, chunk)| Task::Evaluate(couples, chunk));
+            team.share(once(Task::Scatter(&other[..waiting], forces)).chain(tasks), work);
             done = bank.iter().fold(done, |done, chunk| done.and(chunk.done()));
             waiting = chunks;
             self.banks.swap(0, 1);

@@ -3,7 +3,6 @@
 
 use super::{bodies::Bodies, couples::CoupleList, evaluation::Couples, friction::PairTable};
 use crate::scene::Elements;
-use rayon::prelude::*;
 use serde::{Deserialize, Serialize};
 
 /// No place in the list.
@@ -137,18 +136,10 @@ impl<'a> RespitesMut<'a> {
     }
 
     /// Those of so many couples each.
-    pub fn chunks(self, size: usize) -> impl Iterator<Item = RespitesMut<'a>> {
+    pub fn chunks(self, size: usize) -> impl Iterator<Item = RespitesMut<'a>> + Send {
         let paths = self.rest.chunks_mut(size).zip(self.stay.chunks_mut(size));
         let bits = self.edges.chunks_mut(size).zip(self.separators.chunks_mut(size));
         let others = self.ask.chunks_mut(size).zip(bits);
-        paths.zip(others).map(Self::zipped)
-    }
-
-    /// The same for any thread.
-    pub fn par_chunks(self, size: usize) -> impl IndexedParallelIterator<Item = RespitesMut<'a>> {
-        let paths = self.rest.par_chunks_mut(size).zip(self.stay.par_chunks_mut(size));
-        let bits = self.edges.par_chunks_mut(size).zip(self.separators.par_chunks_mut(size));
-        let others = self.ask.par_chunks_mut(size).zip(bits);
         paths.zip(others).map(Self::zipped)
     }
 }

@@ -22,15 +22,17 @@ impl Simulation {
     fn add_couples(&mut self, is_output_step: bool) {
         let Some(contact) = &mut self.contact else { return };
         let scene = &mut self.scene;
-        let dt = scene.control.time_step;
+        let (dt, team) = (scene.control.time_step, &self.options.team);
         let bonds = match scene.conventions.bonded {
             BondedPairs::MayTouch => None,
             BondedPairs::Excluded => Some(Bonds { edge_joint: &self.classic.edge_joint }),
         };
-        contact.detect(&scene.nodes, &mut scene.elements, &scene.materials, bonds, dt);
+        contact.detect(&scene.nodes, &mut scene.elements, &scene.materials, bonds, dt, team);
         self.clock.lap(Phase::Detection);
         match scene.conventions.contact_sum {
-            ContactSum::WithInternal => contact.interact(&scene.nodes, dt, &mut self.force),
+            ContactSum::WithInternal => {
+                contact.interact(&scene.nodes, dt, &mut self.force, team);
+            }
             ContactSum::Apart => {
                 let faces = Faces { joints: &self.classic, elements: &scene.elements };
                 let tally = is_output_step.then(|| {

@@ -1,6 +1,6 @@
 //! Values that threads write side by side.
 
-use std::marker::PhantomData;
+use std::{marker::PhantomData, ops::Range};
 
 /// A slice that several threads write, each entry only one of them.
 ///
@@ -26,6 +26,20 @@ impl<'a, T> Disjoint<'a, T> {
     #[inline(always)]
     pub fn len(&self) -> usize {
         self.len
+    }
+
+    /// Entries to write that follow each other.
+    ///
+    /// # Safety
+    /// Nobody else uses these entries while the result lives.
+    ///
+    /// # Panics
+    /// If there are not so many entries.
+    #[expect(clippy::mut_from_ref)]
+    pub unsafe fn part(&self, range: Range<usize>) -> &mut [T] {
+        assert!(range.start <= range.end && range.end <= self.len, "{range:?} of {}", self.len);
+        // SAFETY: the range is within the slice; the caller's promise; the slice is borrowed for `'a`
+        unsafe { std::slice::from_raw_parts_mut(self.first.add(range.start), range.len()) }
     }
 
     /// An entry to write.

@@ -4,12 +4,7 @@ use crate::{
     TOLERANCE,
     lanes::{self, Kernel, LANES, Lanes, Mask as _},
     mechanics::Vec2,
-    scene::Nodes,
 };
-use std::ops::Range;
-
-/// From so many nodes in a run on, threads are used: by estimate, about 10 µs of work for one.
-const PARALLEL_FROM: usize = 4096;
 
 /// Forces and gravity on the nodes of a set.
 #[derive(Debug, Clone, Copy)]
@@ -22,36 +17,18 @@ pub(super) struct Free {
     pub dt: f64,
 }
 
-/// What is known of nodes that follow each other.
-struct Part<'a> {
-    current: &'a mut [Vec2],
-    velocity: &'a mut [Vec2],
-    force: &'a [Vec2],
-    mass: &'a [f64],
+/// Nodes that follow each other.
+pub(super) struct Part<'a> {
+    pub current: &'a mut [Vec2],
+    pub velocity: &'a mut [Vec2],
+    pub force: &'a [Vec2],
+    pub mass: &'a [f64],
 }
 
 impl Free {
-    /// Moves the nodes of a run that have mass.
-    pub fn advance(&self, run: &Range<u32>, nodes: &mut Nodes<2>, mass: &[f64], force: &[Vec2]) {
-        let run = run.start as usize..run.end as usize;
-        let part = Part {
-            current: &mut nodes.current[run.clone()],
-            velocity: &mut nodes.velocity[run.clone()],
-            force: &force[run.clone()],
-            mass: &mass[run],
-        };
-        self.advance_part(part, rayon::current_num_threads());
-    }
-
-    fn advance_part(&self, part: Part<'_>, threads: usize) {
-        let len = part.mass.len();
-        if threads > 1 && len >= PARALLEL_FROM {
-            let (one, other) = part.split_at(len / 2);
-            let half = threads.div_ceil(2);
-            rayon::join(|| self.advance_part(one, half), || self.advance_part(other, half));
-        } else {
-            lanes::run(Advance { free: self, part });
-        }
+    /// Moves the nodes that have mass.
+    pub fn advance(&self, part: Part<'_>) {
+        lanes::run(Advance { free: self, part });
     }
 
     /// Moves a node if it has mass.
@@ -67,24 +44,6 @@ impl Free {
             *velocity = v;
             *current += v * self.dt;
         }
-    }
-}
-
-impl<'a> Part<'a> {
-    fn split_at(self, middle: usize) -> (Self, Self) {
-        let (current, current_behind) = self.current.split_at_mut(middle);
-        let (velocity, velocity_behind) = self.velocity.split_at_mut(middle);
-        let (force, force_behind) = self.force.split_at(middle);
-        let (mass, mass_behind) = self.mass.split_at(middle);
-        (
-            Self { current, velocity, force, mass },
-            Self {
-                current: current_behind,
-                velocity: velocity_behind,
-                force: force_behind,
-                mass: mass_behind,
-            },
-        )
     }
 }
 
@@ -169,18 +128,22 @@ mod tests {
             let mut mass = mass;
             mass[..massive].fill(1.7);
             let free = Free { amplitudes, gravity, dt: 1e-3 };
-            let mut nodes =
-                Nodes { current: current.clone(), velocity: velocity.clone(), ..Nodes::default() };
+            let (mut together, mut speeds) = (current.clone(), velocity.clone());
             let (mut x, mut v) = (current, velocity);
             for i in 3..39 {
                 free.advance_node(&mut x[i], &mut v[i], &force[i], mass[i]);
             }
-            free.advance(&(3..39), &mut nodes, &mass, &force);
+            free.advance(Part {
+                current: &mut together[3..39],
+                velocity: &mut speeds[3..39],
+                force: &force[3..39],
+                mass: &mass[3..39],
+            });
             let bits = |all: &[Vec2]| -> Vec<[u64; 2]> {
                 all.iter().map(|p| [p.x.to_bits(), p.y.to_bits()]).collect()
             };
-            prop_assert_eq!(bits(&nodes.current), bits(&x));
-            prop_assert_eq!(bits(&nodes.velocity), bits(&v));
+            prop_assert_eq!(bits(&together), bits(&x));
+            prop_assert_eq!(bits(&speeds), bits(&v));
         }
     }
 }

@@ -10,12 +10,11 @@ use crate::{
     },
     scene::{CohesiveLaw, CohesiveModel, ElementKind, FractureTreatment, JointKind},
 };
-use rayon::prelude::*;
 use std::borrow::Cow;
 
 /// From so many joints on, threads pay (measured, `docs/src/performance.md`).
 const PARALLEL_FROM: usize = 16_384;
-/// Least number of joints that a thread takes at a time.
+/// Number of joints that a thread takes at a time.
 const GRAIN: usize = 256;
 
 /// What a joint exerts, and its memory afterwards.
@@ -34,12 +33,15 @@ impl Simulation {
     pub(super) fn add_joint_forces(&mut self) {
         let failed_before = self.failures.len();
         let joints = std::mem::take(&mut self.plan.joints);
-        if joints.len() >= PARALLEL_FROM && rayon::current_num_threads() > 1 {
+        if joints.len() >= PARALLEL_FROM && self.options.team.size() > 1 {
             let mut evaluated = std::mem::take(&mut self.evaluated_joints);
             evaluated.resize(joints.len(), EvaluatedJoint::default());
             let this = &*self;
-            joints.par_iter().zip(&mut evaluated).with_min_len(GRAIN).for_each(|(joint, out)| {
-                *out = this.evaluate_joint(joint);
+            let parts = joints.chunks(GRAIN).zip(evaluated.chunks_mut(GRAIN));
+            this.options.team.share(parts, |(joints, evaluated)| {
+                for (joint, evaluated) in joints.iter().zip(evaluated) {
+                    *evaluated = this.evaluate_joint(joint);
+                }
             });
             for (joint, evaluated) in joints.iter().zip(&evaluated) {
                 self.add_joint(joint, evaluated);

@@ -30,13 +30,15 @@ use crate::{
     insertion::{self, CapacityError, InsertionReport},
     mechanics::Vec2,
     scene::{CohesiveModel, ContactSum, Scene},
+    team::Team,
 };
+use disjoint::Disjoint;
 use domains::Domains;
 use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
 use phases::{Phase, PhaseClock};
 use plan::Plan;
-use rayon::prelude::*;
+use std::ops::Range;
 
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
@@ -49,15 +51,17 @@ pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
 /// Choices that change how fast a simulation runs, never its results.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone)]
 pub struct SolverOptions {
     /// Whether couples that provably have no effect are left out.
     pub skip_separated_couples: bool,
+    /// The threads that share the work.
+    pub team: Team,
 }
 
 impl Default for SolverOptions {
     fn default() -> Self {
-        Self { skip_separated_couples: true }
+        Self { skip_separated_couples: true, team: Team::alone() }
     }
 }
 
@@ -303,7 +307,13 @@ impl Simulation {
     }
 
     fn clear_forces(&mut self) {
-        clear(&mut self.force);
+        let force = Disjoint::new(&mut self.force);
+        let parts = self.domains.node_parts();
+        self.options.team.share_places(parts.len(), |place| {
+            // SAFETY: parts have no nodes in common
+            let part = unsafe { force.part(as_usize(&parts[place])) };
+            part.fill(Vec2::zeros());
+        });
         self.yielded_now.clear();
         self.contact_force.fill(Vec2::zeros());
         if self.plan.masses_change {
@@ -312,14 +322,6 @@ impl Simulation {
     }
 }
 
-/// From so many nodes on, threads pay for what touches each node once.
-const PARALLEL_FROM: usize = 65_536;
-
-fn clear(forces: &mut [Vec2]) {
-    if forces.len() < PARALLEL_FROM || rayon::current_num_threads() == 1 {
-        forces.fill(Vec2::zeros());
-    } else {
-        let part = forces.len().div_ceil(rayon::current_num_threads());
-        forces.par_chunks_mut(part).for_each(|part| part.fill(Vec2::zeros()));
-    }
+fn as_usize(range: &Range<u32>) -> Range<usize> {
+    range.start as usize..range.end as usize
 }

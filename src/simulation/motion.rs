@@ -1,8 +1,13 @@
-use super::{Simulation, free_motion::Free, plan::MotionPhase};
+use super::{
+    Simulation, as_usize,
+    disjoint::Disjoint,
+    free_motion::{Free, Part},
+    plan::{MotionPhase, Plan},
+};
 use crate::{
     TOLERANCE,
     mechanics::{Vec2, rigid_triangle},
-    scene::{Condition, NodeSet, Nodes},
+    scene::{Condition, NodeSet, Scene},
 };
 use nalgebra::Matrix2;
 use std::ops::Range;
@@ -61,20 +66,73 @@ impl Drive {
     }
 }
 
-/// Moves the nodes of some runs that have mass as `drive` says.
-fn integrate(
-    runs: &[Range<u32>],
-    nodes: &mut Nodes<2>,
-    masses: &[f64],
-    forces: &[Vec2],
-    drive: &Drive,
-) {
-    for n in runs.iter().flat_map(|run| run.start as usize..run.end as usize) {
-        let mass = masses[n];
+/// What the motion of nodes depends on, and what it changes.
+struct Motion<'a> {
+    scene: &'a Scene,
+    plan: &'a Plan,
+    time: f64,
+    mass: &'a [f64],
+    /// Contact forces, where they are summed apart.
+    contact_force: &'a [Vec2],
+    force: Disjoint<'a, Vec2>,
+    current: Disjoint<'a, Vec2>,
+    velocity: Disjoint<'a, Vec2>,
+}
+
+impl Motion<'_> {
+    /// Moves the nodes of one set that are in `part` (spec `y2d3d.md` F.1).
+    ///
+    /// # Safety
+    /// Nobody else moves nodes of this part meanwhile.
+    unsafe fn advance(&self, set: usize, runs: &[Range<u32>], part: &Range<u32>) {
+        let control = &self.scene.control;
+        let (dt, gravity) = (control.time_step, control.gravity);
+        let factor = self.scene.load_factor(set, self.time);
+        let drive = Drive::new(&self.scene.node_sets[set], factor, gravity, dt);
+        let free = Free { amplitudes: drive.amplitudes, gravity, dt };
+        for run in runs {
+            let run = run.start.max(part.start)..run.end.min(part.end);
+            if run.is_empty() {
+                continue;
+            }
+            let run = as_usize(&run);
+            // SAFETY: the caller's promise
+            let (force, current, velocity) = unsafe {
+                (
+                    self.force.part(run.clone()),
+                    self.current.part(run.clone()),
+                    self.velocity.part(run.clone()),
+                )
+            };
+            let mass = &self.mass[run.clone()];
+            if !self.contact_force.is_empty() {
+                add_where_massive(force, &self.contact_force[run], mass);
+            }
+            let part = Part { current, velocity, force, mass };
+            if drive.is_free() {
+                free.advance(part);
+            } else {
+                integrate(part, &drive);
+            }
+        }
+    }
+}
+
+fn add_where_massive(force: &mut [Vec2], more: &[Vec2], mass: &[f64]) {
+    for ((force, more), &mass) in force.iter_mut().zip(more).zip(mass) {
         if mass > TOLERANCE {
-            let velocity = drive.velocity(nodes.velocity[n], forces[n], mass);
-            nodes.velocity[n] = velocity;
-            nodes.current[n] += velocity * drive.dt;
+            *force += more;
+        }
+    }
+}
+
+/// Moves nodes that have mass as `drive` says.
+fn integrate(part: Part<'_>, drive: &Drive) {
+    for (n, &mass) in part.mass.iter().enumerate() {
+        if mass > TOLERANCE {
+            let velocity = drive.velocity(part.velocity[n], part.force[n], mass);
+            part.velocity[n] = velocity;
+            part.current[n] += velocity * drive.dt;
         }
     }
 }
@@ -87,37 +145,42 @@ fn apply(m: &Matrix2<f64>, v: Vec2) -> Vec2 {
 impl Simulation {
     /// Explicit integration of nodes and rigid triangles, in the plan's order.
     pub(super) fn integrate(&mut self) {
-        for phase in 0..self.plan.motions.len() {
-            match self.plan.motions[phase].clone() {
-                MotionPhase::Nodes { set, runs } => self.move_nodes(set, runs),
-                MotionPhase::Rigid(range) => self.move_rigid_triangles(range),
+        let mut next = 0;
+        while next < self.plan.motions.len() {
+            let is_nodes = |motion: &&MotionPhase| matches!(motion, MotionPhase::Nodes { .. });
+            let nodes = self.plan.motions[next..].iter().take_while(is_nodes).count();
+            self.move_nodes(next..next + nodes);
+            next += nodes;
+            if let Some(MotionPhase::Rigid(range)) = self.plan.motions.get(next) {
+                self.move_rigid_triangles(range.clone());
+                next += 1;
             }
         }
     }
 
-    /// Moves the nodes of one set that have mass (spec `y2d3d.md` F.1).
-    fn move_nodes(&mut self, set: usize, runs: Range<usize>) {
-        let control = &self.scene.control;
-        let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
-        let runs = &self.plan.node_runs[runs];
-        let factor = self.scene.load_factor(set, time);
-        let drive = Drive::new(&self.scene.node_sets[set], factor, gravity, dt);
-        if !self.contact_force.is_empty() {
-            for n in runs.iter().flat_map(|run| run.start as usize..run.end as usize) {
-                if self.mass[n] > TOLERANCE {
-                    self.force[n] += self.contact_force[n];
-                }
+    /// Moves the nodes of some sets, each thread its part of them.
+    fn move_nodes(&mut self, motions: Range<usize>) {
+        let mut nodes = std::mem::take(&mut self.scene.nodes);
+        let motion = Motion {
+            scene: &self.scene,
+            plan: &self.plan,
+            time: self.time,
+            mass: &self.mass,
+            contact_force: &self.contact_force,
+            force: Disjoint::new(&mut self.force),
+            current: Disjoint::new(&mut nodes.current),
+            velocity: Disjoint::new(&mut nodes.velocity),
+        };
+        let parts = self.domains.node_parts();
+        self.options.team.share_places(parts.len(), |place| {
+            for phase in &motion.plan.motions[motions.clone()] {
+                let MotionPhase::Nodes { set, runs } = phase else { continue };
+                let runs = &motion.plan.node_runs[runs.clone()];
+                // SAFETY: parts have no nodes in common, and each place is visited once
+                unsafe { motion.advance(*set, runs, &parts[place]) };
             }
-        }
-        let nodes = &mut self.scene.nodes;
-        if drive.is_free() {
-            let free = Free { amplitudes: drive.amplitudes, gravity, dt };
-            for run in runs {
-                free.advance(run, nodes, &self.mass, &self.force);
-            }
-        } else {
-            integrate(runs, nodes, &self.mass, &self.force, &drive);
-        }
+        });
+        self.scene.nodes = nodes;
     }
 
     /// Rigid triangles move under the contact forces of their nodes.

@@ -4,7 +4,8 @@ use std::path::Path;
 use yformat::{database::Database, deck::Deck};
 use ypsilon::{
     scene::{Profile, Scene, from_deck},
-    simulation::Simulation,
+    simulation::{Simulation, SolverOptions},
+    team::Team,
 };
 
 /// The scene that the first stage of a deck describes.
@@ -27,6 +28,12 @@ pub fn reference_scene(case: &str) -> Scene {
     let outcome = Deck::read(deck).expect("committed deck");
     assert!(!outcome.has_errors());
     scene(&outcome.deck)
+}
+
+/// The scene at its start, to be moved by so many threads.
+pub fn on_threads(scene: &Scene, threads: usize) -> Simulation {
+    let team = Team::new(threads).expect("threads");
+    Simulation::with_options(scene.clone(), SolverOptions { team, ..SolverOptions::default() })
 }
 
 /// Runs one step.

@@ -18,11 +18,11 @@ use crate::{
     lanes::LANES,
     mechanics::Vec2,
     scene::{CohesiveModel, ElementKind, JointKind, Scene},
+    team::Team,
 };
 use joints::JointBlock;
 use nalgebra::Matrix2;
 use owners::Owners;
-use rayon::prelude::*;
 use std::ops::Range;
 use triangles::TriangleBlock;
 
@@ -46,6 +46,8 @@ struct Domain {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Domains {
     domains: Vec<Domain>,
+    /// Parts of the nodes for the threads: those of each domain, where these follow each other.
+    node_parts: Vec<Range<u32>>,
     /// Whether live joints are among the elements.
     holds_joints: bool,
     /// Joints that failed in this step, in the plan's order.
@@ -75,16 +77,23 @@ struct Step<'a> {
 }
 
 impl Domains {
-    /// Into `parts` domains if that is given, otherwise into as many as pay.
-    pub fn new(scene: &Scene, plan: &Plan, strength: &[f64], parts: Option<usize>) -> Self {
+    /// Into `parts` domains if that is given, otherwise into as many as pay for `threads`.
+    pub fn new(
+        scene: &Scene,
+        plan: &Plan,
+        strength: &[f64],
+        parts: Option<usize>,
+        threads: usize,
+    ) -> Self {
         let holds_joints =
             scene.conventions.cohesive == CohesiveModel::Split && scene.fracture_network.is_none();
         let triangles: usize = plan.batches.iter().map(|batch| batch.triangles.len()).sum();
         let elements = triangles + if holds_joints { plan.joints.len() } else { 0 };
         let is_plain = !plan.excavates
             && plan.batches.iter().all(|batch| batch.kind == ElementKind::ElasticTriangle);
-        let pay = || if elements >= PARALLEL_FROM { rayon::current_num_threads() } else { 1 };
-        let count = if is_plain { parts.unwrap_or_else(pay).max(1) } else { 1 };
+        let pay = || if elements >= PARALLEL_FROM { threads } else { 1 };
+        let count =
+            if is_plain { parts.unwrap_or_else(pay).clamp(1, Team::MOST_PLACES) } else { 1 };
         let owners = Owners::new(scene, plan, count);
         let domain = |d| Domain {
             triangles: plan
@@ -106,7 +115,14 @@ impl Domains {
             domain.failed.reserve(lanes);
         }
         let failed = Vec::with_capacity(joints);
-        Self { domains, holds_joints, failed, joints, dead: 0 }
+        let node_parts =
+            owners.runs().map_or_else(|| even_parts(scene.nodes.len(), count), <[_]>::to_vec);
+        Self { domains, node_parts, holds_joints, failed, joints, dead: 0 }
+    }
+
+    /// Parts of the nodes for the threads.
+    pub fn node_parts(&self) -> &[Range<u32>] {
+        &self.node_parts
     }
 
     /// How many of the plan's phases from the first one on domains can do in one go.
@@ -120,6 +136,12 @@ impl Domains {
         };
         plan.forces[first..].iter().take_while(can).count()
     }
+}
+
+/// So many parts of about the same size.
+fn even_parts(nodes: usize, count: usize) -> Vec<Range<u32>> {
+    let border = |part: usize| (nodes * part / count) as u32;
+    (0..count).map(|part| border(part)..border(part + 1)).collect()
 }
 
 impl Domain {
@@ -149,7 +171,8 @@ impl Simulation {
     }
 
     pub(super) fn divide(&mut self) {
-        self.domains = Domains::new(&self.scene, &self.plan, &self.strength, self.parts);
+        let threads = self.options.team.size();
+        self.domains = Domains::new(&self.scene, &self.plan, &self.strength, self.parts, threads);
     }
 
     /// Adds the forces of some phases that domains can do.
@@ -167,13 +190,14 @@ impl Simulation {
         let phases = &self.plan.forces[phases];
         match &mut self.domains.domains[..] {
             [one] => one.add_forces(phases, &step),
-            [one, other] => {
-                rayon::join(|| one.add_forces(phases, &step), || other.add_forces(phases, &step));
+            many => {
+                let count = many.len();
+                let many = Disjoint::new(many);
+                self.options.team.share_places(count, |place| {
+                    // SAFETY: there are so many, and each place is visited once
+                    unsafe { many.entry(place) }.add_forces(phases, &step);
+                });
             }
-            many => many
-                .par_iter_mut()
-                .with_max_len(1)
-                .for_each(|domain| domain.add_forces(phases, &step)),
         }
         if phases.contains(&ForcePhase::Joints) {
             self.record_failed_joints();
