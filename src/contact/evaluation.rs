@@ -25,10 +25,14 @@ const WORTHWHILE_STEPS: f64 = 4.0;
 
 /// Couples in a chunk: many, so that there are enough alike, but what they exert stays in the cache.
 const CHUNK: usize = 512;
+/// The least in a chunk where few couples are shared among threads.
+const LEAST_CHUNK: usize = 128;
 /// From so many couples on, threads pay (measured, `docs/src/performance.md`).
-const PARALLEL_FROM: usize = 4096;
+const PARALLEL_FROM: usize = 512;
 /// Chunks of a round for each thread, to even out couples that rest and couples that touch.
 const CHUNKS_PER_THREAD: usize = 4;
+/// Rounds at least, so that most forces are added while others are computed.
+const ROUNDS: usize = 2;
 
 /// What the couples of a step see.
 #[derive(Clone, Copy)]
@@ -198,11 +202,13 @@ impl Evaluator {
         };
         // how many of the other bank have not added their forces yet
         let mut waiting = 0;
-        for round in couples.chunks(team.size() * CHUNKS_PER_THREAD * CHUNK) {
+        let in_a_round = team.size() * CHUNKS_PER_THREAD;
+        let chunk = couples.visits.len().div_ceil(ROUNDS * in_a_round).clamp(LEAST_CHUNK, CHUNK);
+        for round in couples.chunks(in_a_round * chunk) {
             let [bank, other] = &mut self.banks;
-            let chunks = round.visits.len().div_ceil(CHUNK);
+            let chunks = round.visits.len().div_ceil(chunk);
             let bank = room_for(bank, chunks);
-            let pairs = round.chunks(CHUNK).zip(&mut *bank);
+            let pairs = round.chunks(chunk).zip(&mut *bank);
             let tasks = pairs.map(|(couples, chunk)| Task::Evaluate(couples, chunk));
             team.share(once(Task::Scatter(&other[..waiting], forces)).chain(tasks), work);
             done = bank.iter().fold(done, |done, chunk| done.and(chunk.done()));
