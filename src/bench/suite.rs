@@ -39,7 +39,7 @@ pub struct Plan {
 }
 
 /// Triangle-steps of each run of a growth series.
-const GROWTH_WORK: u64 = 10_000_000;
+const GROWTH_WORK: u64 = 4_000_000;
 /// Least steps of such a run.
 const GROWTH_STEPS: u64 = 100;
 /// Steps of the two runs whose instructions are compared.
