@@ -12,7 +12,9 @@
 //! potential is integrated (`pressure`), and `shares` says what each node bears.
 
 mod bodies;
+mod clearance3;
 mod detection;
+mod evaluation;
 mod frame;
 mod interaction;
 mod overlap3;
@@ -21,6 +23,7 @@ mod pressure;
 mod section;
 mod shares;
 mod surfaces;
+mod visits;
 
 pub use bodies::{Contactor, Tetrahedron};
 pub use frame::{FACES, Frame};
