@@ -2,13 +2,13 @@
 
 use super::{
     Slip, Vec3,
-    detection::{self, Participants},
+    detection::{self, Detector, Participants},
     evaluation::{Evaluator, Step},
     surfaces::Surfaces,
     visits::Visits,
 };
 use crate::{
-    contact::{CoupleList, CoupleWork, sweep::Sweep},
+    contact::{CoupleList, CoupleWork},
     scene::{ContactSettings, Elements, Nodes, PairProperties},
 };
 use serde::{Deserialize, Serialize};
@@ -54,7 +54,7 @@ pub struct Contact3 {
     settings: ContactSettings,
     rests: bool,
     couples: CoupleList<Slip>,
-    sweep: Sweep<3>,
+    detector: Detector,
     surfaces: Surfaces,
     visits: Visits,
     evaluator: Evaluator,
@@ -80,7 +80,7 @@ impl Contact3 {
         Self {
             rests,
             couples: CoupleList::default(),
-            sweep: Sweep::default(),
+            detector: Detector::default(),
             surfaces: Surfaces::default(),
             visits: Visits::default(),
             evaluator: Evaluator::default(),
@@ -212,7 +212,7 @@ impl Contact3 {
             selection: self.settings.selection,
         };
         scene.tag_boundary_elements(&mut tags);
-        detection::update(&mut self.sweep, &scene, &tags, &mut self.couples);
+        detection::update(&mut self.detector, &scene, &tags, &mut self.couples);
         elements.contact_tag = tags;
         self.work.most_couples = self.work.most_couples.max(self.couples.len());
         self.list_couples(elements);

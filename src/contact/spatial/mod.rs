@@ -18,6 +18,7 @@ mod evaluation;
 mod frame;
 mod interaction;
 mod overlap3;
+mod pair_index;
 mod polygon;
 mod pressure;
 mod section;
