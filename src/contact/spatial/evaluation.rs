@@ -6,10 +6,11 @@
 use super::{
     Vec3,
     clearance3::{ALL_PAIRS, Asked, Clearance},
-    overlap3::{FaceForce, overlap},
+    overlap3::{FaceForce, overlap_in},
     surfaces::Surfaces,
     visits::Visits,
 };
+use crate::lanes::{self, Kernel, Lanes};
 use rayon::prelude::*;
 
 /// Couples in a chunk.
@@ -51,13 +52,18 @@ struct Chunk(Vec<([u32; 2], FaceForce)>);
 
 impl Chunk {
     fn evaluate(&mut self, step: &Step<'_>, couples: &[u32]) {
+        lanes::run(Evaluation { chunk: self, step, couples });
+    }
+
+    #[inline(always)]
+    fn evaluate_in<L: Lanes>(&mut self, step: &Step<'_>, couples: &[u32]) {
         self.0.clear();
         let bodies = &step.visits.bodies;
         for &couple in couples {
             let visit = &step.visits.list[couple as usize];
             let [target, contactor] = visit.participants.map(|place| place as usize);
             let penalty = step.surfaces.pair(visit.rank).penalty;
-            overlap(
+            overlap_in::<L>(
                 &bodies.targets[target],
                 &bodies.contactors[contactor],
                 step.visits.active(couple),
@@ -73,6 +79,22 @@ impl Chunk {
                 participants.map(|place| &step.visits.bodies.nodes[place as usize]);
             force.scatter(target, contactor, forces);
         }
+    }
+}
+
+/// Evaluates the couples of a chunk.
+struct Evaluation<'a, 'b> {
+    chunk: &'a mut Chunk,
+    step: &'a Step<'b>,
+    couples: &'a [u32],
+}
+
+impl Kernel for Evaluation<'_, '_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        self.chunk.evaluate_in::<L>(self.step, self.couples);
     }
 }
 

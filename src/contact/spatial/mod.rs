@@ -23,6 +23,7 @@ mod polygon;
 mod pressure;
 mod section;
 mod shares;
+mod signs;
 mod surfaces;
 mod visits;
 

@@ -1,10 +1,12 @@
 use super::{
-    Contactor, FACES, Tetrahedron, Vec3,
+    Contactor, Tetrahedron, Vec3,
     polygon::Polygon,
     pressure::{Potential, Resultant},
     section::View,
     shares,
+    signs::Signs,
 };
+use crate::lanes::{self, Kernel, Lanes};
 
 /// The force between a face of the contactor and a face of the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -33,7 +35,8 @@ impl FaceForce {
 ///
 /// `active` are the pairs of faces that may do something (bit `4 * target face + contactor face`);
 /// `penalty` is that of the couple, Pa.
-pub fn overlap(
+#[inline(always)]
+pub(super) fn overlap_in<L: Lanes>(
     target: &Tetrahedron,
     contactor: &Contactor,
     active: u16,
@@ -53,8 +56,11 @@ pub fn overlap(
             continue;
         };
         let frame = &contactor.frames[face];
-        let section = view.section(target_face);
-        let Some(polygon) = Polygon::common(&section, frame) else { continue };
+        let section = view.section::<L>(target_face);
+        let Some(polygon) = Polygon::common(&section, frame, Signs::of::<L>(&section, frame))
+        else {
+            continue;
+        };
         let potential = Potential::new(view, frame, target_face);
         let resultant = Resultant::of(&polygon, &potential, penalty);
         if resultant.force == 0.0 {
@@ -66,4 +72,24 @@ pub fn overlap(
             contactor: shares::of_contactor(frame, face, &resultant),
         });
     }
+}
+
+/// Calls `exert` with the forces of a couple, as [`overlap_in`] does with its lanes.
+pub fn overlap(
+    target: &Tetrahedron,
+    contactor: &Contactor,
+    active: u16,
+    penalty: f64,
+    exert: impl FnMut(FaceForce),
+) {
+    struct One<'a, F>(&'a Tetrahedron, &'a Contactor, u16, f64, F);
+    impl<F: FnMut(FaceForce)> Kernel for One<'_, F> {
+        type Output = ();
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) {
+            overlap_in::<L>(self.0, self.1, self.2, self.3, self.4);
+        }
+    }
+    lanes::run(One(target, contactor, active, penalty, exert));
 }

@@ -22,7 +22,7 @@ pub(super) fn of_contactor(frame: &Frame, face: usize, resultant: &Resultant) ->
 #[inline(always)]
 pub(super) fn of_target(view: &View, face: usize, volume: f64, resultant: &Resultant) -> [f64; 4] {
     let nodes = FACES[face];
-    let corners = [nodes[0], nodes[1], nodes[2]].map(|node| view.places[node]);
+    let corners = [nodes[0], nodes[1], nodes[2]].map(|node| view.place(node));
     let double_area = cross(corners[0], corners[1], corners[2]);
     let mut shares = [0.0; 4];
     if double_area.abs() >= OBLIQUE * volume {
@@ -34,7 +34,7 @@ pub(super) fn of_target(view: &View, face: usize, volume: f64, resultant: &Resul
     }
     let left_out = replaced(&corners, [nodes[0], nodes[1], nodes[2]].map(|n| view.points[n]));
     let (next, last) = ((left_out + 1) % 3, (left_out + 2) % 3);
-    let centroid = view.places[4];
+    let centroid = view.place(4);
     let triangle = [corners[next], corners[last], centroid];
     let double_area = cross(triangle[0], triangle[1], triangle[2]);
     let share = |from: usize, to: usize| {

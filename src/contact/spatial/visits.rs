@@ -1,7 +1,6 @@
 //! The couples in the order of their evaluation, and what they can be spared.
 
 use super::{
-    Slip,
     bodies::Bodies,
     clearance3::{ALL_PAIRS, Clearance, FacePairs},
     surfaces::Surfaces,
