@@ -45,8 +45,12 @@ pub(super) fn overlap_in<L: Lanes>(
 ) {
     let faces = active | active >> 8;
     let faces = faces | faces >> 4;
-    let views = [0, 1, 2, 3]
-        .map(|face| (faces & 1 << face != 0).then(|| View::new(target, &contactor.frames[face])));
+    let mut views = [None; 4];
+    for face in 0..4 {
+        if faces & 1 << face != 0 {
+            views[face] = Some(View::new(target, &contactor.frames[face]));
+        }
+    }
     let mut pairs = active;
     while pairs != 0 {
         let pair = pairs.trailing_zeros() as usize;

@@ -1,5 +1,5 @@
 use super::{Frame, Point, cross, section::Section, signs::Signs};
-use crate::TOLERANCE;
+use crate::{TOLERANCE, lanes::each};
 
 /// Corners of a section, a face and all crossings of their edges.
 const MOST: usize = 4 + 3 + 4 * 3;
@@ -101,5 +101,5 @@ fn crossing(section: &Section, i: usize, face: &[Point; 3], j: usize) -> Point {
     let (start, end) = (cross(from, to, p), cross(from, to, q));
     let difference = (start - end).abs();
     let weight = if difference < TOLERANCE { 0.5 } else { (start / difference).abs() };
-    [0, 1].map(|k| (1.0 - weight) * p[k] + weight * q[k])
+    each!(2, |k| (1.0 - weight) * p[k] + weight * q[k])
 }

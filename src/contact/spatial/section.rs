@@ -24,14 +24,21 @@ pub(super) struct View {
 impl View {
     #[inline(always)]
     pub fn new(target: &Tetrahedron, frame: &Frame) -> Self {
-        let [a, b, c, d] = &target.corners;
-        let points = [a, b, c, d, &target.centroid].map(|x| x - frame.origin);
-        let mut view = Self { points, heights: [0.0; 5], along: [[0.0; 5]; 2], above: 0, below: 0 };
-        for (i, point) in points.iter().enumerate() {
-            let height = dot(&frame.normal, point);
+        let [a, b, c, d] = target.corners;
+        let mut view = Self {
+            points: [a, b, c, d, target.centroid],
+            heights: [0.0; 5],
+            along: [[0.0; 5]; 2],
+            above: 0,
+            below: 0,
+        };
+        for i in 0..5 {
+            let point = view.points[i] - frame.origin;
+            view.points[i] = point;
+            let height = dot(&frame.normal, &point);
             view.heights[i] = height;
-            view.along[0][i] = dot(point, &frame.axes[0]);
-            view.along[1][i] = dot(point, &frame.axes[1]);
+            view.along[0][i] = dot(&point, &frame.axes[0]);
+            view.along[1][i] = dot(&point, &frame.axes[1]);
             view.above |= u32::from(height > TOLERANCE) << i;
             view.below |= u32::from(height < -TOLERANCE) << i;
         }
