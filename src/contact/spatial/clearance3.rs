@@ -101,6 +101,19 @@ impl Asked<'_> {
         Clearance { active, free: SAFETY * least.min(scale.most) }
     }
 
+    /// The same where the faces of both are pressed: all pairs or none.
+    pub fn clearance_of_bodies(&self, horizon: f64) -> Clearance {
+        let apart = Scale::new(self).map_or(0.0, |scale| {
+            let gaps = gaps_of_bodies(&self.heights());
+            scale.free(gaps[0].max(gaps[1]))
+        });
+        if apart > horizon {
+            Clearance { active: 0, free: SAFETY * apart }
+        } else {
+            Clearance { active: ALL_PAIRS, free: horizon }
+        }
+    }
+
     /// Of each node of the one above the faces of the other: `[t][face of t][node of the other]`.
     fn heights(&self) -> [[[f64; 4]; 4]; 2] {
         [0, 1].map(|t| {

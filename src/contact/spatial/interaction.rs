@@ -223,27 +223,56 @@ impl Contact3 {
     }
 
     /// Adds the contact forces of all couples.
-    pub fn interact(&mut self, motion: Motion3<'_>, _dt: f64, forces: &mut [Vec3]) {
+    pub fn interact(&mut self, motion: Motion3<'_>, dt: f64, forces: &mut [Vec3]) {
         self.evaluations += 1;
-        let Self { visits, evaluator, surfaces, rests, path, evaluations, .. } = self;
-        visits.list_due(*path, &mut evaluator.due);
+        let mut evaluator = std::mem::take(&mut self.evaluator);
+        self.visits.list_due(self.path, &mut evaluator.due);
         if !evaluator.due.is_empty() {
-            for &couple in &evaluator.due {
-                let participants = visits.list[couple as usize].participants;
-                visits.bodies.update(participants, motion.positions, *evaluations);
-            }
+            self.bring_up(&evaluator.due, motion.positions);
             let horizon = (HORIZON_STEPS * self.advance).max(HORIZON_SHARE * self.settings.buffer);
-            evaluator.ask(&Step { visits, surfaces, rests: *rests }, horizon);
-            visits.learn(*path, &evaluator.due, &evaluator.clearances);
+            evaluator.ask(&self.step(motion, dt), horizon);
+            self.visits.learn(self.path, &evaluator.due, &evaluator.clearances);
+            self.let_go(&evaluator.due);
         }
-        visits.list_awake(&mut evaluator.awake);
-        for &couple in &evaluator.awake {
-            let participants = visits.list[couple as usize].participants;
-            visits.bodies.update(participants, motion.positions, *evaluations);
+        self.visits.list_awake(&mut evaluator.awake);
+        self.bring_up(&evaluator.awake, motion.positions);
+        evaluator.evaluate(&self.step(motion, dt), forces);
+        for &(slot, slip) in &evaluator.slips {
+            *self.couples.sliding_mut(slot) = slip;
         }
-        evaluator.evaluate(&Step { visits, surfaces, rests: *rests }, forces);
         let evaluated = evaluator.awake.len() as u64;
         self.work.evaluated += evaluated;
-        self.work.rested += visits.list.len() as u64 - evaluated;
+        self.work.rested += self.visits.list.len() as u64 - evaluated;
+        self.evaluator = evaluator;
+    }
+
+    fn step<'a>(&'a self, motion: Motion3<'a>, dt: f64) -> Step<'a> {
+        Step {
+            visits: &self.visits,
+            surfaces: &self.surfaces,
+            couples: &self.couples,
+            velocities: motion.velocities,
+            dt,
+            law: self.settings.spatial,
+            rests: self.rests,
+        }
+    }
+
+    /// Takes over the positions of the bodies of some couples.
+    fn bring_up(&mut self, couples: &[u32], positions: &[Vec3]) {
+        for &couple in couples {
+            let participants = self.visits.list[couple as usize].participants;
+            self.visits.bodies.update(participants, positions, self.evaluations);
+        }
+    }
+
+    /// Lets go the springs of friction of couples that came apart.
+    fn let_go(&mut self, couples: &[u32]) {
+        if self.settings.spatial.has_friction {
+            for &couple in couples.iter().filter(|&&couple| self.visits.active(couple) == 0) {
+                let slot = self.visits.list[couple as usize].slot;
+                *self.couples.sliding_mut(slot) = Slip::default();
+            }
+        }
     }
 }
