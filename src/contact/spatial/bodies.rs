@@ -1,5 +1,5 @@
 use super::{Frame, Vec3};
-use crate::scene::Elements;
+use crate::{lanes::each, scene::Elements};
 
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
@@ -15,9 +15,10 @@ pub struct Tetrahedron {
 
 impl Tetrahedron {
     /// The tetrahedron with these nodes; (x₁−x₀)×(x₂−x₀) points towards x₃.
+    #[inline(always)]
     #[must_use]
     pub fn new(corners: [Vec3; 4]) -> Self {
-        let [a, b, c, d] = corners.map(|x| x * 0.25);
+        let [a, b, c, d] = each!(4, |i| corners[i] * 0.25);
         Self { corners, centroid: a + b + c + d }
     }
 }
@@ -31,9 +32,10 @@ pub struct Contactor {
 
 impl Contactor {
     /// The tetrahedron with these nodes.
+    #[inline(always)]
     #[must_use]
     pub fn new(corners: &[Vec3; 4]) -> Self {
-        Self { frames: [0, 1, 2, 3].map(|face| Frame::new(corners, face)) }
+        Self { frames: each!(4, |face| Frame::new(corners, face)) }
     }
 }
 
@@ -82,7 +84,8 @@ impl Bodies {
         for place in participants.map(|place| place as usize) {
             if self.made[place] != evaluation {
                 self.made[place] = evaluation;
-                let corners = self.nodes[place].map(|node| positions[node as usize]);
+                let nodes = &self.nodes[place];
+                let corners = each!(4, |i| positions[nodes[i] as usize]);
                 self.targets[place] = Tetrahedron::new(corners);
                 self.contactors[place] = Contactor::new(&corners);
             }

@@ -26,7 +26,7 @@
 //! The result is exact, not approximate: forces with and without are equal bit for bit.
 
 use super::{Contactor, FACES, Tetrahedron, Vec3, dot, vector_product};
-use crate::TOLERANCE;
+use crate::{TOLERANCE, lanes::each};
 
 /// Share of a bound that is used, for the rounding of the accumulated path.
 const SAFETY: f64 = 0.99;
@@ -116,17 +116,20 @@ impl Asked<'_> {
 
     /// Of each node of the one above the faces of the other: `[t][face of t][node of the other]`.
     fn heights(&self) -> [[[f64; 4]; 4]; 2] {
-        [0, 1].map(|t| {
-            let (faces, other) = (&self.faces[t].frames, self.bodies[1 - t]);
-            faces.each_ref().map(|f| other.corners.map(|x| dot(&f.normal, &(x - f.origin))))
+        each!(2, |t| {
+            let (frames, corners) = (&self.faces[t].frames, &self.bodies[1 - t].corners);
+            each!(4, |f| {
+                let frame = &frames[f];
+                each!(4, |i| dot(&frame.normal, &(corners[i] - frame.origin)))
+            })
         })
     }
 
     /// How far a contactor face lies outside the target.
     fn gap_of_contactor_face(&self, heights: &[[[f64; 4]; 4]; 2], face: usize) -> f64 {
         let [a, b, c, _] = FACES[face];
-        let beyond = |above: &[f64; 4]| -above[a].max(above[b]).max(above[c]);
-        heights[0].iter().map(beyond).fold(f64::NEG_INFINITY, f64::max)
+        let beyond = |above: &[f64; 4]| -larger(larger(above[a], above[b]), above[c]);
+        heights[0].iter().map(beyond).fold(f64::NEG_INFINITY, larger)
     }
 
     /// How far the sub-tetrahedron of a target face lies outside the contactor.
@@ -134,9 +137,9 @@ impl Asked<'_> {
         let [a, b, c, _] = FACES[target_face];
         let beyond = |above: &[f64; 4]| {
             let centroid = 0.25 * (above[0] + above[1] + above[2] + above[3]);
-            -above[a].max(above[b]).max(above[c]).max(centroid)
+            -larger(larger(above[a], above[b]), larger(above[c], centroid))
         };
-        heights[1].iter().map(beyond).fold(f64::NEG_INFINITY, f64::max)
+        heights[1].iter().map(beyond).fold(f64::NEG_INFINITY, larger)
     }
 
     /// How far nodes may move until reasons 1 to 3 may fail, 0 if they do not hold.
@@ -208,10 +211,17 @@ fn interval(points: &[Vec3], axis: &Vec3) -> (f64, f64) {
 
 /// How far each lies outside the other: the largest gap at one of its faces.
 fn gaps_of_bodies(heights: &[[[f64; 4]; 4]; 2]) -> [f64; 2] {
-    heights.map(|faces| {
-        let beyond = |above: &[f64; 4]| -above.iter().fold(f64::NEG_INFINITY, |a, &b| a.max(b));
-        faces.iter().map(beyond).fold(f64::NEG_INFINITY, f64::max)
+    each!(2, |t| {
+        let beyond =
+            |above: &[f64; 4]| -larger(larger(above[0], above[1]), larger(above[2], above[3]));
+        heights[t].iter().map(beyond).fold(f64::NEG_INFINITY, larger)
     })
+}
+
+/// The larger of two numbers; not a number if the first is none.
+#[inline(always)]
+fn larger(a: f64, b: f64) -> f64 {
+    if b > a { b } else { a }
 }
 
 /// Sizes on which the bounds depend.
@@ -228,23 +238,30 @@ struct Scale {
 impl Scale {
     /// None if rounding is too large for any bound.
     fn new(asked: &Asked<'_>) -> Option<Self> {
-        let all = asked.bodies.map(|body| body.corners);
-        let (mut low, mut high) = (all[0][0], all[0][0]);
-        for p in all.as_flattened() {
-            low = low.inf(p);
-            high = high.sup(p);
+        let mut low = asked.bodies[0].corners[0];
+        let mut high = low;
+        for body in asked.bodies {
+            for x in &body.corners {
+                for k in 0..3 {
+                    low[k] = -larger(-low[k], -x[k]);
+                    high[k] = larger(high[k], x[k]);
+                }
+            }
         }
-        let extent = (high - low).norm();
+        let extent = dot(&(high - low), &(high - low)).sqrt();
         let (mut flattest, mut smallest) = (f64::INFINITY, f64::INFINITY);
         let mut sine = f64::INFINITY;
         for t in 0..2 {
             let frames = &asked.faces[t].frames;
             let apex = asked.bodies[t].corners[FACES[0][3]] - frames[0].origin;
             let volume = dot(&frames[0].normal, &apex) * frames[0].double_area / 6.0;
-            let areas = frames.each_ref().map(|frame| 0.5 * frame.double_area);
-            let largest = areas.iter().fold(0.0f64, |a, &b| a.max(b));
-            smallest = areas.iter().fold(smallest, |a, &b| a.min(b));
-            flattest = flattest.min(3.0 * volume / largest);
+            if volume.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+                return None;
+            }
+            let areas = each!(4, |f| 0.5 * frames[f].double_area);
+            let largest = areas.iter().fold(0.0, |a, &b| larger(a, b));
+            smallest = areas.iter().fold(smallest, |a, &b| -larger(-a, -b));
+            flattest = -larger(-flattest, -3.0 * volume / largest);
             if t == 0 {
                 // 3Ve/(2A₁A₂) for the edge e between two faces of a sub-tetrahedron: a quarter of
                 // the volume, edges no shorter than three quarters of the least height
