@@ -5,7 +5,7 @@ use super::{
     detection::{self, Detector, Participants},
     evaluation::{Evaluator, Step},
     surfaces::Surfaces,
-    visits::Visits,
+    visits::{Respites3, Visits},
 };
 use crate::{
     contact::{CoupleList, CoupleWork},
@@ -38,10 +38,16 @@ impl<'a> From<&'a Nodes<3>> for Motion3<'a> {
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct ContactState3 {
     couples: CoupleList<Slip>,
+    /// What the couples can be spared, in the order of their evaluation.
+    respites: Respites3,
     travel: f64,
     path: f64,
+    advance: f64,
     work: CoupleWork,
 }
+
+/// More contacts than any run evaluates.
+const MOST_COUNTED: u64 = 1 << 60;
 
 /// Steps at the present speed for which pairs of faces that do nothing are to be left out.
 const HORIZON_STEPS: f64 = 32.0;
@@ -96,6 +102,9 @@ impl Contact3 {
 
     /// Takes over settings of a later stage; the couples stay.
     pub fn restate(&mut self, settings: ContactSettings, travel: Option<f64>) {
+        if settings.spatial != self.settings.spatial {
+            self.visits.wake_all();
+        }
         self.settings = settings;
         if let Some(travel) = travel {
             self.travel = travel;
@@ -108,7 +117,6 @@ impl Contact3 {
     pub fn rebuild(&mut self, elements: &Elements, surfaces: &[Option<PairProperties>]) {
         self.take_over(elements, surfaces);
         self.couples.resize(elements.len());
-        self.couples.wake_all();
         self.list_couples(elements);
     }
 
@@ -130,8 +138,10 @@ impl Contact3 {
     pub fn state(&self) -> ContactState3 {
         ContactState3 {
             couples: self.couples.clone(),
+            respites: self.visits.respites().clone(),
             travel: self.travel,
             path: self.path,
+            advance: self.advance,
             work: self.work,
         }
     }
@@ -146,12 +156,19 @@ impl Contact3 {
         elements: &Elements,
         surfaces: &[Option<PairProperties>],
     ) -> Result<(), &'static str> {
-        let ContactState3 { couples, travel, path, work } = state;
+        let ContactState3 { couples, respites, travel, path, advance, work } = state;
         couples.check(elements.len())?;
-        (self.travel, self.path, self.work) = (travel, path, work);
+        if [work.detections, work.evaluated, work.rested].iter().any(|&count| count > MOST_COUNTED)
+        {
+            return Err("a count of contacts is too large");
+        }
+        (self.travel, self.path, self.advance, self.work) = (travel, path, advance, work);
         self.take_over(elements, surfaces);
         self.couples = couples;
         self.list_couples(elements);
+        if !self.visits.recall(respites) {
+            return Err("the couples are not those of the elements");
+        }
         Ok(())
     }
 

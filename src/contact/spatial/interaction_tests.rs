@@ -151,6 +151,7 @@ fn a_state_goes_on_as_if_nothing_had_been() {
         for n in 0..300 {
             assert!(bits(&whole.step()) == bits(&resumed.step()), "{law:?}: {n}");
         }
+        assert_eq!(whole.contact.work(), resumed.contact.work());
     }
 }
 

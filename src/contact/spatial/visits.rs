@@ -6,6 +6,7 @@ use super::{
     surfaces::Surfaces,
 };
 use crate::{contact::CoupleList, scene::Elements};
+use serde::{Deserialize, Serialize};
 
 /// Couples in a block.
 const BLOCK: usize = 64;
@@ -22,16 +23,22 @@ pub(super) struct Visit {
     listed: u32,
 }
 
+/// What couples can be spared, in the order of the list.
+#[derive(Debug, Clone, Default, Serialize, Deserialize)]
+pub(super) struct Respites3 {
+    /// Pairs of faces of each couple that may do something.
+    active: Vec<FacePairs>,
+    /// Path up to which no other pair of its faces does anything, m.
+    until: Vec<f64>,
+}
+
 /// All couples. Paths are those of the fastest node since the start: no node has moved further.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Visits {
     pub list: Vec<Visit>,
     pub bodies: Bodies,
-    /// Pairs of faces of each couple that may do something.
-    active: Vec<FacePairs>,
-    /// Path up to which no other pair of its faces does anything, m.
-    until: Vec<f64>,
-    /// The least of them of each block.
+    respites: Respites3,
+    /// The least path of each block up to which all of its couples can be spared something, m.
     block_until: Vec<f64>,
     /// Couples of each block with active pairs, a bit each.
     awake: Vec<u64>,
@@ -62,18 +69,48 @@ impl Visits {
         }
         list.sort_unstable_by_key(|visit| (visit.rank, visit.listed));
         bodies.settle();
-        let (count, blocks) = (list.len(), list.len().div_ceil(BLOCK));
-        for (values, len) in [(&mut self.until, count), (&mut self.block_until, blocks)] {
-            values.clear();
-            values.resize(len, 0.0);
+        let count = list.len();
+        self.respites.active.clear();
+        self.respites.active.resize(count, ALL_PAIRS);
+        self.respites.until.clear();
+        self.respites.until.resize(count, 0.0);
+        self.sum_up_blocks();
+    }
+
+    /// What couples can be spared.
+    pub fn respites(&self) -> &Respites3 {
+        &self.respites
+    }
+
+    /// Takes over what is known of couples; whether it is of so many.
+    pub fn recall(&mut self, respites: Respites3) -> bool {
+        let lengths = [respites.active.len(), respites.until.len()];
+        let fits = lengths == [self.list.len(); 2];
+        if fits {
+            self.respites = respites;
+            self.sum_up_blocks();
         }
-        self.active.clear();
-        self.active.resize(count, ALL_PAIRS);
+        fits
+    }
+
+    /// Forgets what couples can be spared.
+    pub fn wake_all(&mut self) {
+        self.respites.active.fill(ALL_PAIRS);
+        self.respites.until.fill(0.0);
+        self.sum_up_blocks();
+    }
+
+    fn sum_up_blocks(&mut self) {
+        let Respites3 { active, until } = &self.respites;
+        let least = |until: &[f64]| until.iter().fold(f64::INFINITY, |a, &b| a.min(b));
+        self.block_until.clear();
+        self.block_until.extend(until.chunks(BLOCK).map(least));
+        let bits = |active: &[FacePairs]| {
+            let bit = |(i, &active): (usize, &FacePairs)| u64::from(active != 0) << i;
+            active.iter().enumerate().map(bit).fold(0, std::ops::BitOr::bitor)
+        };
         self.awake.clear();
-        self.awake.resize(blocks, u64::MAX);
-        if let (Some(last), rest) = (self.awake.last_mut(), count % BLOCK) {
-            *last >>= if rest == 0 { 0 } else { BLOCK - rest };
-        }
+        self.awake.extend(active.chunks(BLOCK).map(bits));
     }
 
     /// Lists the couples of which it is not known any more which pairs of faces do nothing.
@@ -84,7 +121,7 @@ impl Visits {
                 continue;
             }
             let first = block * BLOCK;
-            let of_block = self.until[first..].iter().take(BLOCK).enumerate();
+            let of_block = self.respites.until[first..].iter().take(BLOCK).enumerate();
             due.extend(
                 of_block.filter(|(_, until)| path >= **until).map(|(i, _)| (first + i) as u32),
             );
@@ -98,8 +135,8 @@ impl Visits {
             // a bound that the sum of the path does not resolve is none
             let is_bound = clearance.free > 1e-9 * path && clearance.free > 0.0;
             let active = if is_bound { clearance.active } else { ALL_PAIRS };
-            self.active[couple] = active;
-            self.until[couple] = if is_bound { path + clearance.free } else { path };
+            self.respites.active[couple] = active;
+            self.respites.until[couple] = if is_bound { path + clearance.free } else { path };
             let (block, bit) = (couple / BLOCK, 1 << (couple % BLOCK));
             if active == 0 {
                 self.awake[block] &= !bit;
@@ -112,7 +149,7 @@ impl Visits {
             let block = couple as usize / BLOCK;
             if block != before {
                 before = block;
-                let of_block = self.until[block * BLOCK..].iter().take(BLOCK);
+                let of_block = self.respites.until[block * BLOCK..].iter().take(BLOCK);
                 self.block_until[block] = of_block.fold(f64::INFINITY, |a, &b| a.min(b));
             }
         }
@@ -132,6 +169,6 @@ impl Visits {
 
     /// Pairs of faces of a couple that may do something.
     pub fn active(&self, couple: u32) -> FacePairs {
-        self.active[couple as usize]
+        self.respites.active[couple as usize]
     }
 }
