@@ -26,10 +26,14 @@ pub use conventions::{
     SPLIT_FREE_EDGE, VolumetricShare,
 };
 pub use fracture_network::{Fracture, FractureNetwork, FractureTreatment, SeismicMethod};
-pub use from_deck::{BuildOutcome, Profile, from_deck, replay_settings, update_scene};
+pub use from_deck::{
+    BuildOutcome, Profile, from_deck, replay_settings, spatial_from_deck, update_scene,
+    update_spatial_scene,
+};
 pub use joint_restart::JointRestart;
 pub use materials::{
-    CohesiveLaw, ElasticLaw, ElementKind, Isotropy, Layering, Material, TransverseIsotropy,
+    CohesiveLaw, ElasticLaw, ElementKind, Isotropy, JointPoints, Layering, Material,
+    TransverseIsotropy,
 };
 pub use mesh::{Elements, JointKind, Nodes};
 pub use meshing::{Combination, Insertion, JointPair};
@@ -37,14 +41,14 @@ pub use probes::{Probe, ProbeQuantity};
 pub use rock_joint::{InitialAperture, RockJoint};
 pub use snapshots::SnapshotSettings;
 
-/// A planar scene of the split dialect, ready to be simulated.
+/// A scene in `D` dimensions, ready to be simulated.
 ///
 /// Indices are 0-based deck numbers throughout. Property codes of elements:
 /// `0..materials.len()` is a continuum element of that material,
 /// `materials.len() + s` a joint of cohesive law `s`; which joints are intact
 /// says [`Elements::joint_kind`].
 #[derive(Debug, Clone)]
-pub struct Scene {
+pub struct Scene<const D: usize = 2> {
     /// Base name of the output files (spec `y2d3d.md` G.1).
     pub name: String,
     /// What the deck's program does in its own way.
@@ -52,7 +56,7 @@ pub struct Scene {
     /// Time stepping and output intervals.
     pub control: Control,
     /// Nodal state at the start.
-    pub nodes: Nodes<2>,
+    pub nodes: Nodes<D>,
     /// Elements at the start.
     pub elements: Elements,
     /// Material of each element property set.
@@ -60,7 +64,7 @@ pub struct Scene {
     /// Cohesive law of each joint property set.
     pub cohesive_laws: Vec<CohesiveLaw>,
     /// Boundary conditions of each node set.
-    pub node_sets: Vec<NodeSet<2>>,
+    pub node_sets: Vec<NodeSet<D>>,
     /// Load-time history of the node sets, if the deck has one.
     pub load_history: Option<LoadHistory>,
     /// Staged loading (classic).
@@ -77,6 +81,8 @@ pub struct Scene {
     pub joint_restart: Option<JointRestart>,
     /// Snapshots and restart decks (classic).
     pub snapshots: Option<SnapshotSettings>,
+    /// Integration of joints between tetrahedra (3D).
+    pub joint_points: JointPoints,
     /// Whether joints unload along another path than they soften (Y-Geo).
     pub hysteretic_joints: bool,
     /// Contact settings; `None` switches contact off.
@@ -90,7 +96,7 @@ pub struct Scene {
     pub probe_threshold: f64,
 }
 
-impl Scene {
+impl<const D: usize> Scene<D> {
     /// Material of an element; `None` for joints, live or broken.
     #[must_use]
     pub fn material_of(&self, element: usize) -> Option<&Material> {
@@ -107,6 +113,9 @@ impl Scene {
         }
     }
 
+}
+
+impl Scene {
     /// Whether a point (initial coordinates, m) lies strictly inside an elastic
     /// triangle.
     #[must_use]

@@ -21,6 +21,7 @@ mod phases;
 mod plan;
 mod probe_values;
 mod settling;
+mod spatial;
 mod state;
 mod state_check;
 mod view;
@@ -44,6 +45,9 @@ pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
 pub use phases::PhaseTimes;
 pub use settling::{
     Settled, SettlingFault, SettlingOptions, SettlingOutcome, SettlingProgress, Unsettleable,
+};
+pub use spatial::{
+    FaceFailure, FaceJointView, SpatialSimulation, SpatialState, face_joint_views,
 };
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};

@@ -44,6 +44,12 @@ pub struct SimulationState {
 #[error("the state is not one of this scene: {0}")]
 pub struct StateFault(pub(super) &'static str);
 
+impl StateFault {
+    pub(in crate::simulation) fn new(fault: &'static str) -> Self {
+        Self(fault)
+    }
+}
+
 impl SimulationState {
     /// Index of the step that comes next.
     #[must_use]
