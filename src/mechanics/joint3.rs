@@ -177,8 +177,7 @@ impl Surface {
                 length = other;
             }
         }
-        let cross =
-            Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
+        let cross = Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
         let double_area = size(cross);
         let normal = if double_area > TOLERANCE { cross / double_area } else { cross };
         let gaps = std::array::from_fn(|i| corners[i] - corners[i + 3]);

@@ -112,7 +112,6 @@ impl<const D: usize> Scene<D> {
             None => self.ramp.map_or(1.0, |ramp| ramp.factor(time)),
         }
     }
-
 }
 
 impl Scene {

@@ -41,9 +41,15 @@ fn stress_and_forces_are_the_worked_ones() {
     let reference = ReferenceShape::new(&UNIT);
     let (stress, volume) = cauchy_stress(&LAW, &reference, &corners, &velocities);
     let worked = Matrix3::new(
-        98568471.3501275, -2795412.94533152, 2970376.41797595,
-        -2795412.94533152, -19055295.5050206, 12009029.3361187,
-        2970376.41797595, 12009029.3361187, 158267204.876554,
+        98568471.3501275,
+        -2795412.94533152,
+        2970376.41797595,
+        -2795412.94533152,
+        -19055295.5050206,
+        12009029.3361187,
+        2970376.41797595,
+        12009029.3361187,
+        158267204.876554,
     );
     for (found, expected) in stress.iter().zip(worked.iter()) {
         close(*found, *expected, 158e6);
@@ -85,7 +91,8 @@ fn simple_shear_gives_its_two_stresses() {
 fn swelling_gives_the_volumetric_stress() {
     let law = Elasticity { shear_modulus: 0.0, ..LAW };
     let reference = ReferenceShape::new(&UNIT);
-    for (ratio, expected) in [(1.1_f64, 0.095_454_545_454_545_45), (0.9, -0.105_555_555_555_555_6)] {
+    for (ratio, expected) in [(1.1_f64, 0.095_454_545_454_545_45), (0.9, -0.105_555_555_555_555_6)]
+    {
         let by = Matrix3::identity() * ratio.cbrt();
         let (stress, _) = cauchy_stress(&law, &reference, &deformed(&by), &[Vec3::zeros(); 4]);
         for k in 0..3 {

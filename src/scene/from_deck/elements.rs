@@ -66,8 +66,7 @@ pub(super) fn name_joints(elements: &mut Elements, dialect: Dialect, dimension: 
     for e in 0..elements.len() {
         let nodes = elements.nodes[e];
         let [a, b, c, d, ..] = nodes;
-        let is_closed =
-            if dimension == 3 { nodes[..3] == nodes[3..] } else { (a, b) == (d, c) };
+        let is_closed = if dimension == 3 { nodes[..3] == nodes[3..] } else { (a, b) == (d, c) };
         let property = &mut elements.property[e];
         elements.joint_kind[e] = match (nodes[dimension + 1] >= 0, *property) {
             (false, _) => JointKind::NoJoint,

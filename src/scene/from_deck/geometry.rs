@@ -165,7 +165,12 @@ fn check_time_step(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) 
         }
     }
     if let Some((critical, element)) = critical {
-        compare_time_step(reader, scene.control.time_step, critical, &format!("triangle {element}"));
+        compare_time_step(
+            reader,
+            scene.control.time_step,
+            critical,
+            &format!("triangle {element}"),
+        );
     }
 }
 

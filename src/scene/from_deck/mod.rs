@@ -11,9 +11,9 @@ mod contact;
 mod control;
 mod elements;
 mod geometry;
-mod load_history;
 mod insertion;
 mod joints;
+mod load_history;
 mod materials;
 mod names;
 mod node_sets;
@@ -87,11 +87,7 @@ where
     BuildOutcome { scene: scene.filter(|_| !failed), findings }
 }
 
-fn build<const D: usize>(
-    reader: &mut Reader<'_>,
-    name: &str,
-    profile: Profile,
-) -> Option<Scene<D>>
+fn build<const D: usize>(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene<D>>
 where
     Scene<D>: Shapes,
 {

@@ -9,10 +9,7 @@ use crate::{
 use nalgebra::{SMatrix, SVector};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
-pub(super) fn read<const D: usize>(
-    reader: &mut Reader<'_>,
-    profile: Profile,
-) -> Vec<NodeSet<D>> {
+pub(super) fn read<const D: usize>(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<D>> {
     let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets", 0);
     check_given(reader, len);
     let codes: [_; D] = std::array::from_fn(|k| reader.integers(CODES[k], -1));
@@ -33,22 +30,18 @@ pub(super) fn read<const D: usize>(
     );
     let sets = (0..len)
         .map(|set| {
-            let axes = std::array::from_fn(|a| {
-                SVector::from_fn(|k, _| axis_components[a][k](set))
-            });
+            let axes = std::array::from_fn(|a| SVector::from_fn(|k, _| axis_components[a][k](set)));
             // in 3D, nodes without code are free: forces act, but no load
             let is_free = |k: usize| D == 3 && !(1..=3).contains(&codes[k](set));
             NodeSet {
                 conditions: std::array::from_fn(|k| {
-                    if is_free(k) {
-                        Condition::Force
-                    } else {
-                        condition(codes[k](set), absorbs)
-                    }
+                    if is_free(k) { Condition::Force } else { condition(codes[k](set), absorbs) }
                 }),
-                amplitudes: std::array::from_fn(|k| {
-                    if is_free(k) { 0.0 } else { amplitudes[k](set) }
-                }),
+                amplitudes: std::array::from_fn(
+                    |k| {
+                        if is_free(k) { 0.0 } else { amplitudes[k](set) }
+                    },
+                ),
                 pressure: pressure(set),
                 traction: traction(set),
                 edge_factor: if is_classic { factor(set) } else { 1.0 },
@@ -187,9 +180,17 @@ fn check_axes<const D: usize>(
             .map(|(axis, name)| format!("{name} {}", words(axis)))
             .collect();
         let (space, wanted, all) = if D == 2 {
-            ("the plane", "two", "give the x axis with D1PNXX and D1PNXY, the y axis with D1PNYX and D1PNYY; without them they are those of the scene")
+            (
+                "the plane",
+                "two",
+                "give the x axis with D1PNXX and D1PNXY, the y axis with D1PNYX and D1PNYY; without them they are those of the scene",
+            )
         } else {
-            ("space", "three", "give the x axis with D1PNXX, D1PNXY and D1PNXZ, the y axis with D1PNYX, ..., the z axis with D1PNZX, ...; without them they are those of the scene")
+            (
+                "space",
+                "three",
+                "give the x axis with D1PNXX, D1PNXY and D1PNXZ, the y axis with D1PNYX, ..., the z axis with D1PNZX, ...; without them they are those of the scene",
+            )
         };
         reader.report(
             Diagnostic::error(
@@ -205,8 +206,7 @@ fn check_axes<const D: usize>(
     }
     let is_unit = |a: &SVector<f64, D>| (a.norm() - 1.0).abs() <= 1e-6;
     let is_square = |a: usize, b: usize| axes[a].dot(&axes[b]).abs() <= 1e-6;
-    let skew = !axes.iter().all(is_unit)
-        || !(0..D).all(|a| (0..a).all(|b| is_square(a, b)));
+    let skew = !axes.iter().all(is_unit) || !(0..D).all(|a| (0..a).all(|b| is_square(a, b)));
     let is_split = reader.database.dialect() == Dialect::Split;
     if is_split && profile == Profile::Source {
         axes = axes.map(|a| {

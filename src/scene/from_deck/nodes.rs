@@ -84,12 +84,7 @@ fn check_dimension(reader: &mut Reader<'_>, wanted: usize) -> Option<()> {
     }
 }
 
-fn check_components(
-    reader: &mut Reader<'_>,
-    name: &str,
-    field: &Field<f64>,
-    dimension: usize,
-) {
+fn check_components(reader: &mut Reader<'_>, name: &str, field: &Field<f64>, dimension: usize) {
     let components = field.given_shape().first().copied().unwrap_or(0);
     if components < dimension {
         reader.report(

@@ -96,8 +96,7 @@ impl Shapes for Scene<3> {
         }
         for (history, probe) in self.probes.iter().enumerate() {
             let [x, y] = probe.point;
-            let is_force =
-                matches!(probe.quantity, ProbeQuantity::ForceX | ProbeQuantity::ForceY);
+            let is_force = matches!(probe.quantity, ProbeQuantity::ForceX | ProbeQuantity::ForceY);
             if is_force && !self.nodes.initial.iter().any(|p| (p.x, p.y) == (x, y)) {
                 reader.report(
                     Diagnostic::warning(
@@ -155,9 +154,8 @@ fn check_volumes(
     corners: impl Fn(usize) -> [Vec3; 4],
 ) -> bool {
     // coordinates that are no numbers have no volume and count as flat
-    let is_flat = |e: usize| {
-        fullness(&corners(e)).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater)
-    };
+    let is_flat =
+        |e: usize| fullness(&corners(e)).partial_cmp(&FLAT) != Some(std::cmp::Ordering::Greater);
     let Some(found) = Offenders::find(bodies.len(), |k| is_flat(bodies[k])) else { return true };
     let element = bodies[found.first];
     let shape = corners(element);

@@ -1,8 +1,9 @@
 //! A scene changed by a later stage of its deck.
 
 use super::{
-    BuildOutcome, Profile, Reader, classic, contact, control, elements, geometry::Shapes, insertion,
-    joints, load_history, materials, node_sets,
+    BuildOutcome, Profile, Reader, classic, contact, control, elements,
+    geometry::Shapes,
+    insertion, joints, load_history, materials, node_sets,
     nodes::{to_i32, vector},
     probes, unsupported,
 };
@@ -150,7 +151,11 @@ fn update_settings<const D: usize>(
 }
 
 /// Restating the counts of a mesh that has grown would cut it.
-fn check_counts<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>, named: &BTreeSet<String>) {
+fn check_counts<const D: usize>(
+    reader: &mut Reader<'_>,
+    scene: &Scene<D>,
+    named: &BTreeSet<String>,
+) {
     let mesh = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
     // the sets of joints are numbered behind those of triangles
     let sets = reader.is_classic().then_some(("YDP/NPROP", scene.materials.len()));

@@ -31,18 +31,19 @@ impl SpatialSimulation {
         let keeps_stress = self.needs_stress();
         let Self { scene, plan, stress, tetrahedron_slots, force, .. } = self;
         let (nodes, laws) = (&scene.nodes, &plan.laws);
-        let exert = |(planned, (forces, stress)): (&super::plan::PlannedTetrahedron, (&mut _, &mut _))| {
-            let corners = planned.corners.map(|n| nodes.current[n as usize]);
-            let velocities = planned.corners.map(|n| nodes.velocity[n as usize]);
-            let law = &laws[planned.material as usize];
-            let (cauchy, volume) =
-                tetrahedron::cauchy_stress(law, &planned.reference, &corners, &velocities);
-            *forces = tetrahedron::nodal_forces(&cauchy, &corners);
-            if keeps_stress {
-                *stress = cauchy;
-            }
-            if volume > 0.0 { u32::MAX } else { planned.element }
-        };
+        let exert =
+            |(planned, (forces, stress)): (&super::plan::PlannedTetrahedron, (&mut _, &mut _))| {
+                let corners = planned.corners.map(|n| nodes.current[n as usize]);
+                let velocities = planned.corners.map(|n| nodes.velocity[n as usize]);
+                let law = &laws[planned.material as usize];
+                let (cauchy, volume) =
+                    tetrahedron::cauchy_stress(law, &planned.reference, &corners, &velocities);
+                *forces = tetrahedron::nodal_forces(&cauchy, &corners);
+                if keeps_stress {
+                    *stress = cauchy;
+                }
+                if volume > 0.0 { u32::MAX } else { planned.element }
+            };
         let slots = tetrahedron_slots.par_iter_mut().zip(stress);
         let elements = plan.tetrahedra.par_iter().zip(slots).with_min_len(GRAIN);
         let inverted = elements.map(exert).reduce(|| u32::MAX, u32::min);

@@ -11,11 +11,15 @@ mod probes;
 mod state;
 mod view;
 
-use super::StressUse;
+use super::{SolverOptions, StressUse};
 use crate::{
+    contact::{
+        CoupleWork,
+        spatial::{Contact3, Motion3},
+    },
     insertion::{self, CapacityError, InsertionReport},
     mechanics::{Vec3, joint3::JointResponse},
-    scene::Scene,
+    scene::{PairProperties, Scene},
 };
 use nalgebra::Matrix3;
 use plan::Plan;
@@ -48,6 +52,8 @@ pub struct FaceFailure {
 pub struct SpatialSimulation {
     scene: Scene<3>,
     plan: Plan,
+    contact: Option<Contact3>,
+    options: SolverOptions,
     step: u64,
     time: f64,
     /// Nodal forces of tetrahedra and contact of the last evaluation, N.
@@ -76,7 +82,16 @@ impl SpatialSimulation {
     /// A simulation at the scene's first step.
     #[must_use]
     pub fn new(scene: Scene<3>) -> Self {
+        Self::with_options(scene, SolverOptions::default())
+    }
+
+    /// The same with explicit solver options.
+    #[must_use]
+    pub fn with_options(scene: Scene<3>, options: SolverOptions) -> Self {
+        let contact = |settings| Contact3::new(settings, options.skip_separated_couples);
         Self {
+            contact: scene.contact.clone().map(contact),
+            options,
             step: scene.control.first_step,
             time: scene.control.start_time,
             probe_values: scene.probes.iter().map(|p| p.initial_value).collect(),
@@ -104,12 +119,8 @@ impl SpatialSimulation {
         let scene = &mut self.scene;
         if let Some(insertion) = &mut scene.insertion {
             let (nodes, elements) = (&mut scene.nodes, &mut scene.elements);
-            let report = insertion::execute_in_space(
-                insertion,
-                nodes,
-                elements,
-                &mut scene.materials,
-            )?;
+            let report =
+                insertion::execute_in_space(insertion, nodes, elements, &mut scene.materials)?;
             self.insertion_report = Some(report);
         }
         self.rebuild();
@@ -118,9 +129,19 @@ impl SpatialSimulation {
 
     /// Goes on with a scene that a later stage of the deck has changed; [`Self::prepare`] comes
     /// next. `travel` restates how far nodes have travelled since the last contact detection, m.
-    pub fn continue_with(&mut self, scene: Scene<3>, _travel: Option<f64>) {
+    pub fn continue_with(&mut self, scene: Scene<3>, travel: Option<f64>) {
         self.step = scene.control.first_step;
         self.time = scene.control.start_time;
+        self.contact = match (self.contact.take(), &scene.contact) {
+            (Some(mut contact), Some(settings)) => {
+                contact.restate(settings.clone(), travel);
+                Some(contact)
+            }
+            (None, Some(settings)) => {
+                Some(Contact3::new(settings.clone(), self.options.skip_separated_couples))
+            }
+            (_, None) => None,
+        };
         for (value, (old, new)) in
             self.probe_values.iter_mut().zip(self.scene.probes.iter().zip(&scene.probes))
         {
@@ -144,6 +165,7 @@ impl SpatialSimulation {
     pub fn evaluate_forces(&mut self) {
         self.add_tetrahedron_forces();
         self.add_joint_forces();
+        self.add_contact_forces();
         self.record_nodal_forces();
     }
 
@@ -173,7 +195,22 @@ impl SpatialSimulation {
         self.joint_force.resize(nodes, Vec3::zeros());
         self.mass.clone_from(&self.plan.nodal_mass);
         self.stress.resize(self.plan.tetrahedra.len(), Matrix3::zeros());
+        if let Some(contact) = &mut self.contact {
+            contact.rebuild(&self.scene.elements, &surfaces(&self.scene));
+        }
         self.make_room();
+    }
+
+    fn add_contact_forces(&mut self) {
+        let Some(contact) = &mut self.contact else { return };
+        let Scene { nodes, elements, control, .. } = &mut self.scene;
+        contact.add_forces(Motion3::from(&*nodes), elements, control.time_step, &mut self.force);
+    }
+
+    /// Contact work done so far.
+    #[must_use]
+    pub fn couple_work(&self) -> Option<CoupleWork> {
+        self.contact.as_ref().map(Contact3::work)
     }
 
     /// Buffers of the step loop, which allocates nothing.
@@ -182,4 +219,19 @@ impl SpatialSimulation {
         self.joint_slots = vec![JointResponse::default(); self.plan.joints.len()];
         self.failures.reserve(self.plan.joints.len());
     }
+}
+
+/// Contact properties of each property set; `None` where its elements take no part.
+fn surfaces(scene: &Scene<3>) -> Vec<Option<PairProperties>> {
+    scene
+        .materials
+        .iter()
+        .map(|m| {
+            m.kind.takes_part_in_contact().then_some(PairProperties {
+                penalty: m.contact_penalty,
+                tangential_penalty: m.tangential_penalty,
+                friction: m.friction,
+            })
+        })
+        .collect()
 }

@@ -31,14 +31,12 @@ impl Drive {
         let (factor, axes) = match &scene.load_history {
             Some(history) => (
                 // that the run stays within the table has been checked
-                history.factor_within(set, time).unwrap_or_else(|| {
-                    history.points[set].last().map_or(1.0, |point| point.1)
-                }),
+                history
+                    .factor_within(set, time)
+                    .unwrap_or_else(|| history.points[set].last().map_or(1.0, |point| point.1)),
                 scene.node_sets[set].clone(),
             ),
-            None => {
-                (1.0, NodeSet { axes: Matrix3::identity(), ..scene.node_sets[set].clone() })
-            }
+            None => (1.0, NodeSet { axes: Matrix3::identity(), ..scene.node_sets[set].clone() }),
         };
         let prescribed = conditions.contains(&Condition::Velocity);
         Self {
@@ -72,7 +70,8 @@ impl Drive {
                 velocity[k] + a * self.dt
             }),
             Some(inverse) => {
-                let total = Vec3::new(gx + acceleration.x, gy + acceleration.y, gz + acceleration.z);
+                let total =
+                    Vec3::new(gx + acceleration.x, gy + acceleration.y, gz + acceleration.z);
                 let local = apply(inverse, velocity);
                 let new = Vec3::from_fn(|k, _| {
                     if self.conditions[k] == Condition::Velocity {

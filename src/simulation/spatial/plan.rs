@@ -1,10 +1,7 @@
 //! Lists made once per mesh: what the step loop visits, in the original's order.
 
 use crate::{
-    mechanics::{
-        tetrahedron::ReferenceShape,
-        triangle::Elasticity,
-    },
+    mechanics::{tetrahedron::ReferenceShape, triangle::Elasticity},
     scene::{ElementKind, JointKind, ProbeQuantity, Scene},
 };
 

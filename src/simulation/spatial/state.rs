@@ -1,7 +1,8 @@
 //! What steps change: enough to go on with a simulation in another run, bit for bit.
 
-use super::{FaceFailure, SpatialSimulation, plan::Plan};
+use super::{FaceFailure, SpatialSimulation, plan::Plan, surfaces};
 use crate::{
+    contact::spatial::{Contact3, ContactState3},
     insertion::InsertionReport,
     mechanics::Vec3,
     scene::{Elements, JointKind, Nodes, Scene},
@@ -28,6 +29,7 @@ pub struct SpatialState {
     insertion_report: Option<InsertionReport>,
     failures: Vec<FaceFailure>,
     first_inversion: Option<(u64, usize)>,
+    contact: Option<ContactState3>,
 }
 
 /// Latest step.
@@ -96,12 +98,15 @@ impl SpatialState {
             elements.property.iter().all(|&p| p < sets),
             "an element has a property set that is not there",
         )?;
-        let is_failure =
-            |f: &FaceFailure| f.element < len && f.law < scene.cohesive_laws.len();
+        let is_failure = |f: &FaceFailure| f.element < len && f.law < scene.cohesive_laws.len();
         require(self.failures.iter().all(is_failure), "a joint has failed that is not there")?;
         require(
             self.probe_values.len() == scene.probes.len(),
             "it has another number of histories",
+        )?;
+        require(
+            self.contact.is_some() == scene.contact.is_some(),
+            "only one of the two knows contact",
         )?;
         require(self.step <= LAST_STEP, "its step is beyond all steps")
     }
@@ -119,6 +124,8 @@ impl SpatialSimulation {
         let Self {
             scene,
             plan: _,
+            contact,
+            options: _,
             step,
             time,
             force,
@@ -148,6 +155,7 @@ impl SpatialSimulation {
             insertion_report: *insertion_report,
             failures: failures.clone(),
             first_inversion: *first_inversion,
+            contact: contact.as_ref().map(Contact3::state),
         }
     }
 
@@ -172,6 +180,11 @@ impl SpatialSimulation {
         self.insertion_report = state.insertion_report;
         self.failures = state.failures;
         self.first_inversion = state.first_inversion;
+        if let (Some(contact), Some(state)) = (&mut self.contact, state.contact) {
+            contact
+                .restore(state, &self.scene.elements, &surfaces(&self.scene))
+                .map_err(StateFault::new)?;
+        }
         self.make_room();
         Ok(())
     }
