@@ -26,7 +26,9 @@ pub(super) fn read<const D: usize>(reader: &mut Reader<'_>) -> Option<Nodes<D>> 
         return None;
     }
     for (name, field) in [("YDN/D2NCI", initial), ("YDN/D2NCC", current)] {
-        check_components(reader, name, field, D);
+        if !check_components(reader, name, field, D) {
+            return None;
+        }
     }
     let vectors = |field: Option<&Field<f64>>| -> Vec<SVector<f64, D>> {
         (0..len).map(|n| field.map_or_else(SVector::zeros, |f| vector(f, n))).collect()
@@ -84,7 +86,12 @@ fn check_dimension(reader: &mut Reader<'_>, wanted: usize) -> Option<()> {
     }
 }
 
-fn check_components(reader: &mut Reader<'_>, name: &str, field: &Field<f64>, dimension: usize) {
+fn check_components(
+    reader: &mut Reader<'_>,
+    name: &str,
+    field: &Field<f64>,
+    dimension: usize,
+) -> bool {
     let components = field.given_shape().first().copied().unwrap_or(0);
     if components < dimension {
         reader.report(
@@ -98,6 +105,7 @@ fn check_components(reader: &mut Reader<'_>, name: &str, field: &Field<f64>, dim
             )),
         );
     }
+    components >= dimension
 }
 
 fn warn_of_flags(reader: &mut Reader<'_>, flags: &[i32]) {

@@ -21,7 +21,8 @@ use crate::{
     mechanics::{Vec3, joint3::JointResponse},
     scene::{PairProperties, Scene},
 };
-use nalgebra::Matrix3;
+use forces::TetrahedronResponse;
+use motion::Drive;
 use plan::Plan;
 use serde::{Deserialize, Serialize};
 
@@ -62,8 +63,6 @@ pub struct SpatialSimulation {
     joint_force: Vec<Vec3>,
     /// Nodal masses, kg.
     mass: Vec<f64>,
-    /// Cauchy stress of each planned tetrahedron, Pa, in the last step that needed it.
-    stress: Vec<Matrix3<f64>>,
     stress_use: StressUse,
     probe_values: Vec<f64>,
     /// Kinetic energy at the end of the last step that computed it, J.
@@ -73,9 +72,11 @@ pub struct SpatialSimulation {
     /// Step and element of the first tetrahedron that turned inside out.
     first_inversion: Option<(u64, usize)>,
     /// What each planned tetrahedron does to its nodes.
-    tetrahedron_slots: Vec<[Vec3; 4]>,
+    tetrahedron_slots: Vec<TetrahedronResponse>,
     /// What each planned joint does to its nodes.
     joint_slots: Vec<JointResponse>,
+    /// Boundary conditions of the present step.
+    drives: Vec<Drive>,
 }
 
 impl SpatialSimulation {
@@ -100,7 +101,6 @@ impl SpatialSimulation {
             force: Vec::new(),
             joint_force: Vec::new(),
             mass: Vec::new(),
-            stress: Vec::new(),
             stress_use: StressUse::default(),
             kinetic_energy: 0.0,
             insertion_report: None,
@@ -108,6 +108,7 @@ impl SpatialSimulation {
             first_inversion: None,
             tetrahedron_slots: Vec::new(),
             joint_slots: Vec::new(),
+            drives: Vec::new(),
         }
     }
 
@@ -194,7 +195,6 @@ impl SpatialSimulation {
         self.force.resize(nodes, Vec3::zeros());
         self.joint_force.resize(nodes, Vec3::zeros());
         self.mass.clone_from(&self.plan.nodal_mass);
-        self.stress.resize(self.plan.tetrahedra.len(), Matrix3::zeros());
         if let Some(contact) = &mut self.contact {
             contact.rebuild(&self.scene.elements, &surfaces(&self.scene));
         }
@@ -215,7 +215,7 @@ impl SpatialSimulation {
 
     /// Buffers of the step loop, which allocates nothing.
     fn make_room(&mut self) {
-        self.tetrahedron_slots = vec![[Vec3::zeros(); 4]; self.plan.tetrahedra.len()];
+        self.tetrahedron_slots = vec![TetrahedronResponse::default(); self.plan.tetrahedra.len()];
         self.joint_slots = vec![JointResponse::default(); self.plan.joints.len()];
         self.failures.reserve(self.plan.joints.len());
     }

@@ -1,19 +1,16 @@
 //! Explicit integration of nodes (spec `y2d3d.md` F.3, F.4).
 
-use super::SpatialSimulation;
+use super::{SpatialSimulation, forces::for_each};
 use crate::{
     TOLERANCE,
     mechanics::Vec3,
     scene::{Condition, NodeSet, Scene},
 };
 use nalgebra::{Matrix3, Vector3};
-use rayon::prelude::*;
-
-/// Least number of nodes that a thread takes at a time.
-const GRAIN: usize = 1024;
 
 /// Boundary condition of a node set at one instant.
-struct Drive {
+#[derive(Debug, Clone)]
+pub(super) struct Drive {
     conditions: [Condition; 3],
     /// Amplitudes times the factor of the load-time table.
     amplitudes: [f64; 3],
@@ -98,21 +95,25 @@ fn apply(m: &Matrix3<f64>, v: Vec3) -> Vec3 {
 impl SpatialSimulation {
     /// Moves all nodes that have mass and belong to a node set.
     pub(super) fn integrate(&mut self) {
-        let drives: Vec<Drive> = (0..self.scene.node_sets.len())
-            .map(|set| Drive::new(&self.scene, set, self.time))
-            .collect();
-        let Self { scene, force, joint_force, mass, .. } = self;
+        let Self { scene, force, joint_force, mass, drives, time, .. } = self;
+        drives.clear();
+        drives.extend((0..scene.node_sets.len()).map(|set| Drive::new(scene, set, *time)));
+        let drives = &*drives;
+        let dt = scene.control.time_step;
         let nodes = &mut scene.nodes;
-        let states = nodes.current.par_iter_mut().zip(&mut nodes.velocity);
-        let loads = force.par_iter().zip(&*joint_force).zip(&*mass).zip(&nodes.set);
-        states.zip(loads).with_min_len(GRAIN).for_each(
-            |((place, velocity), (((force, joint_force), &mass), &set))| {
-                let drive = usize::try_from(set).ok().and_then(|set| drives.get(set));
-                let Some(drive) = drive.filter(|_| mass >= TOLERANCE) else { return };
-                *velocity = drive.velocity(*velocity, joint_force + force, mass);
-                *place += *velocity * drive.dt;
-            },
-        );
+        for_each(&mut nodes.velocity, |n, velocity| {
+            let set = usize::try_from(nodes.set[n]).ok();
+            let drive = set.and_then(|set| drives.get(set)).filter(|_| mass[n] >= TOLERANCE);
+            if let Some(drive) = drive {
+                *velocity = drive.velocity(*velocity, joint_force[n] + force[n], mass[n]);
+            }
+        });
+        for_each(&mut nodes.current, |n, place| {
+            let set = usize::try_from(nodes.set[n]).ok();
+            if set.is_some_and(|set| set < drives.len()) && mass[n] >= TOLERANCE {
+                *place += nodes.velocity[n] * dt;
+            }
+        });
     }
 
     /// Kinetic energy of the new velocities, if something needs it.

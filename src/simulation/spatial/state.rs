@@ -8,7 +8,6 @@ use crate::{
     scene::{Elements, JointKind, Nodes, Scene},
     simulation::StateFault,
 };
-use nalgebra::Matrix3;
 use serde::{Deserialize, Serialize};
 
 /// State of a simulation in three dimensions between two steps.
@@ -23,7 +22,6 @@ pub struct SpatialState {
     elements: Elements,
     force: Vec<Vec3>,
     joint_force: Vec<Vec3>,
-    stress: Vec<Matrix3<f64>>,
     probe_values: Vec<f64>,
     kinetic_energy: f64,
     insertion_report: Option<InsertionReport>,
@@ -132,15 +130,16 @@ impl SpatialSimulation {
             joint_force,
             // follows from the plan
             mass: _,
-            stress,
             stress_use: _,
             probe_values,
             kinetic_energy,
             insertion_report,
             failures,
             first_inversion,
+            // made anew in every step
             tetrahedron_slots: _,
             joint_slots: _,
+            drives: _,
         } = self;
         SpatialState {
             step: *step,
@@ -149,7 +148,6 @@ impl SpatialSimulation {
             elements: scene.elements.clone(),
             force: force.clone(),
             joint_force: joint_force.clone(),
-            stress: stress.clone(),
             probe_values: probe_values.clone(),
             kinetic_energy: *kinetic_energy,
             insertion_report: *insertion_report,
@@ -169,12 +167,10 @@ impl SpatialSimulation {
         self.scene.nodes = state.nodes;
         self.scene.elements = state.elements;
         self.plan = Plan::new(&self.scene);
-        require(state.stress.len() == self.plan.tetrahedra.len(), "stresses are missing")?;
         (self.step, self.time) = (state.step, state.time);
         self.force = state.force;
         self.joint_force = state.joint_force;
         self.mass.clone_from(&self.plan.nodal_mass);
-        self.stress = state.stress;
         self.probe_values = state.probe_values;
         self.kinetic_energy = state.kinetic_energy;
         self.insertion_report = state.insertion_report;

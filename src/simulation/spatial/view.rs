@@ -57,7 +57,7 @@ impl SpatialSimulation {
     #[must_use]
     pub fn stress(&self, element: usize) -> Matrix3<f64> {
         let slot = self.plan.slot_of_element.get(element).copied().flatten();
-        slot.map_or_else(Matrix3::zeros, |slot| self.stress[slot as usize])
+        slot.map_or_else(Matrix3::zeros, |slot| self.tetrahedron_slots[slot as usize].stress)
     }
 
     /// Values of the history outputs.
