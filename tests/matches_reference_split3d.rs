@@ -1,6 +1,6 @@
 //! States of the original in three dimensions, bit for bit.
 //!
-//! Every case under `tests/data/split3d` (and, where it is there, under
+//! Every case under `tests/data/split3d` (and, where it is there, with all states under
 //! `../shared/reference/split3d`) holds a deck, the original's states after
 //! chosen numbers of steps to 17 digits, its histories and its d3plot file.
 //! Ypsilon must give the same bits: coordinates, velocities, forces of
@@ -67,7 +67,7 @@ fn cases() -> BTreeMap<String, PathBuf> {
         println!("skipping the cases beside the repository: {} is absent", shared.display());
     }
     let mut cases = BTreeMap::new();
-    for folder in [root.join("tests/data/split3d"), shared] {
+    for folder in [shared, root.join("tests/data/split3d")] {
         for entry in fs::read_dir(folder).into_iter().flatten().flatten() {
             let name = entry.file_name().to_string_lossy().into_owned();
             cases.entry(name).or_insert_with(|| entry.path());

@@ -116,6 +116,11 @@ fn doubtful_values_are_warned_of() {
             ("joint type of 2D", &[("I1PTYP 1 23", "I1PTYP 1 3")]),
             ("refinement", &[("1 2 3 0 1", "1 2 31 0 1")]),
             ("stress history", &[("I1OHYT 1 15", "I1OHYT 1 1")]),
+            (
+                "pressure",
+                &[("/YD/YDPN/D1PNAZ 2 0 0", "/YD/YDPN/D1PNAZ 2 0 0\n/YD/YDPN/D1PNAP 2 0 1e5")],
+            ),
+            ("friction", &[("/YD/YDPE/I1PTYP", "/YD/YDPE/D1PEFR 2 0 0.6\n/YD/YDPE/I1PTYP")]),
             ("long time step", &[("DCSTEC 1e-5", "DCSTEC 1e-3")]),
             ("node of no set", &[("I1NOPR 9 0 0 0 1 1 1 1 1 1", "I1NOPR 9 0 0 0 1 1 1 1 1 7")]),
             (

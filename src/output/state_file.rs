@@ -140,11 +140,7 @@ fn write_scene<const D: usize>(
     }
     writeln!(output, "# element: id property nodes...")?;
     for e in 0..elements.len() {
-        let code = scene.conventions.property_code(
-            elements.property[e],
-            elements.joint_kind[e],
-            scene.materials.len(),
-        );
+        let code = scene.property_code(e);
         write!(output, "{e} {code}")?;
         for row in 0..elements.table_rows {
             write!(output, " {}", elements.nodes[e].get(row).copied().unwrap_or(-1))?;

@@ -139,6 +139,16 @@ pub enum JointPoints {
     Seven,
 }
 
+/// Property code of joints between tetrahedra that have failed, in decks and state files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BrokenCode {
+    /// −1001 (the Windows program).
+    #[default]
+    Common,
+    /// Joint set minus 1000 (the published source).
+    BySet,
+}
+
 /// Strength of joints that depends on their direction: that of the law for
 /// joints across the layers, reduced values for joints along them (spec
 /// `mechanics.md` 4.3).

@@ -32,7 +32,7 @@ pub use from_deck::{
 };
 pub use joint_restart::JointRestart;
 pub use materials::{
-    CohesiveLaw, ElasticLaw, ElementKind, Isotropy, JointPoints, Layering, Material,
+    BrokenCode, CohesiveLaw, ElasticLaw, ElementKind, Isotropy, JointPoints, Layering, Material,
     TransverseIsotropy,
 };
 pub use mesh::{Elements, JointKind, Nodes};
@@ -83,6 +83,8 @@ pub struct Scene<const D: usize = 2> {
     pub snapshots: Option<SnapshotSettings>,
     /// Integration of joints between tetrahedra (3D).
     pub joint_points: JointPoints,
+    /// What becomes of the property code of such joints when they fail (3D).
+    pub broken_code: BrokenCode,
     /// Whether joints unload along another path than they soften (Y-Geo).
     pub hysteretic_joints: bool,
     /// Contact settings; `None` switches contact off.
@@ -101,6 +103,17 @@ impl<const D: usize> Scene<D> {
     #[must_use]
     pub fn material_of(&self, element: usize) -> Option<&Material> {
         usize::try_from(self.elements.property[element]).ok().and_then(|p| self.materials.get(p))
+    }
+
+    /// Property code of an element as decks and state files show it.
+    #[must_use]
+    pub fn property_code(&self, element: usize) -> i32 {
+        let (property, kind) = (self.elements.property[element], self.elements.joint_kind[element]);
+        let materials = self.materials.len();
+        if self.broken_code == BrokenCode::BySet && kind == JointKind::Broken {
+            return property - materials as i32 - BROKEN_OFFSET;
+        }
+        self.conventions.property_code(property, kind, materials)
     }
 
     /// Factor on the amplitudes of a node set at `time`: that of the load-time history if it is

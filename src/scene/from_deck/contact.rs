@@ -130,6 +130,8 @@ pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D
             check_penalties(reader, scene);
             if D == 2 {
                 check_tangential_penalties(reader, scene);
+            } else {
+                check_friction(reader, scene);
             }
         }
         PairRule::InterfaceFriction => check_penalties(reader, scene),
@@ -159,6 +161,25 @@ fn check_penalties<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
                 "a penalty of 10 to 100 times the elastic modulus in /YD/{}",
                 reader.called("YDPE/D1PEPE")
             )),
+        );
+    }
+}
+
+/// In 3D contact has no friction.
+fn check_friction<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
+    let frictional = |set: usize| scene.materials[set].friction != 0.0;
+    if let Some(found) = Offenders::find(scene.materials.len(), frictional) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::no-effect",
+                format!(
+                    "the friction of material {} has no effect: contact is frictionless in 3D{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader.entry("YDPE/D1PEFR", found.first))
+            .expected("0, as in the original bodies slide freely on each other in 3D"),
         );
     }
 }

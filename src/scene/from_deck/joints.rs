@@ -3,7 +3,7 @@ use super::{
     reader::{Offenders, numbers_of},
     ygeo,
 };
-use crate::scene::{CohesiveLaw, CohesiveModel, JointPoints, RockJoint, Scene};
+use crate::scene::{BrokenCode, CohesiveLaw, CohesiveModel, JointPoints, RockJoint, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// What cohesive laws are called in findings.
@@ -63,6 +63,14 @@ pub(super) fn points(reader: &Reader<'_>, profile: Profile) -> JointPoints {
     }
 }
 
+/// Code of failed joints: in the plane both programs have the same.
+pub(super) fn broken_code(dimension: usize, profile: Profile) -> BrokenCode {
+    match (dimension, profile) {
+        (3, Profile::Source) => BrokenCode::BySet,
+        _ => BrokenCode::Common,
+    }
+}
+
 /// Joint sets that elements of the deck have or that joint insertion can give.
 fn used_sets<const D: usize>(scene: &Scene<D>) -> Vec<usize> {
     let first = scene.materials.len() as i32;
@@ -119,6 +127,17 @@ pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D
     }
     if sets.is_empty() || !check_given(reader, scene) {
         return;
+    }
+    if scene.broken_code == BrokenCode::BySet {
+        reader.report(
+            Diagnostic::warning(
+                "scene::profile",
+                "of the published source's 3D joints integration points and codes are followed; nodes of joints that fail are not marked as boundary nodes, and the tetrahedra beside them not made a couple",
+            )
+            .at(reader.word("YDPJ/NPJSET"))
+            .expected("`--profile windows`, which is followed in everything")
+            .help("results are those of the published source where all nodes are flagged as boundary nodes"),
+        );
     }
     for &set in &sets {
         if scene.cohesive_laws[set].is_cohesive {

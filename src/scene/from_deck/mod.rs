@@ -128,6 +128,7 @@ where
         fracture_network: ygeo::fracture_network(reader, node_count),
         seismic: ygeo::seismic(reader),
         joint_points: joints::points(reader, profile),
+        broken_code: joints::broken_code(D, profile),
         hysteretic_joints: reader.integer("YDPJ/IUSEHY") != 0,
         contact,
         insertion,

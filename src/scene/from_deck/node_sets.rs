@@ -57,6 +57,7 @@ pub(super) fn read<const D: usize>(reader: &mut Reader<'_>, profile: Profile) ->
         .collect::<Vec<_>>();
     if D == 3 {
         check_use_of_axes(reader, &sets);
+        check_edge_loads(reader, &sets);
     } else {
         check_codes(reader, &sets);
     }
@@ -248,6 +249,31 @@ fn spanned<const D: usize>(axes: &[SVector<f64, D>; D]) -> f64 {
     })
 }
 
+/// Pressure and traction act on edges of triangles.
+fn check_edge_loads<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
+    let lost = |set: usize| sets[set].pressure != 0.0 || sets[set].traction != 0.0;
+    if let Some(found) = Offenders::find(sets.len(), lost) {
+        let (load, name) = if sets[found.first].pressure == 0.0 {
+            ("traction", "YDPN/D1PNAT")
+        } else {
+            ("pressure", "YDPN/D1PNAP")
+        };
+        reader.report(
+            Diagnostic::warning(
+                "scene::no-effect",
+                format!(
+                    "the {load} of node set {} has no effect in 3D{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader.entry(name, found.first))
+            .expected("0: as in the original, tetrahedra have no loads on their faces")
+            .help("give the load as nodal forces (code 1 with D1PNAX, D1PNAY, D1PNAZ)"),
+        );
+    }
+}
+
 /// In 3D the original looks at local axes only where there is a load-time table.
 fn check_use_of_axes<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
     if reader.is_given("YDPN/D3PNFAC") {
@@ -310,7 +336,9 @@ fn check_codes<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
 
 fn check_amplitudes<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
     for (k, name) in AMPLITUDES.into_iter().take(D).enumerate() {
-        let loaded = sets.iter().any(|s| s.moves && s.conditions[k] != Condition::Frozen);
+        let loaded = sets
+            .iter()
+            .any(|s| s.moves && s.conditions[k] != Condition::Frozen && s.amplitudes[k] != 0.0);
         let default_is_one = reader.database.dialect() == Dialect::Split;
         if loaded && default_is_one && !reader.is_given(name) {
             reader.report(
