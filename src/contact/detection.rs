@@ -91,7 +91,7 @@ fn examine(
     if scene.selection == ContactSelection::Tagged && a.tag == b.tag {
         return;
     }
-    couple_or_part(a, b, scene.buffer, couples);
+    couple_or_part(a, b, scene.buffer, couples, CoupleList::find);
 }
 
 /// Gives every element with a node flagged 1 its own tag. Tags are never

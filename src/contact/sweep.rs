@@ -213,17 +213,21 @@ fn spans<const D: usize>(
     }
 }
 
-/// Adds or removes the couple of two elements as their distance asks.
+/// Adds or removes the couple of two elements as their distance asks. `find` gives the slot of the
+/// couple of a contactor and a target that was there before the sweep, which examines no pair
+/// twice.
+#[inline(always)]
 pub(super) fn couple_or_part<const D: usize, S: Copy + Default>(
     a: &Ball<D>,
     b: &Ball<D>,
     buffer: f64,
     couples: &mut CoupleList<S>,
+    find: impl FnOnce(&CoupleList<S>, u32, u32) -> Option<u32>,
 ) {
     let (contactor, target) = if a.element > b.element { (a, b) } else { (b, a) };
     let distance = distance_squared(&contactor.centre, &target.centre);
     let reach = contactor.radius + target.radius + buffer;
-    match couples.find(contactor.element, target.element) {
+    match find(couples, contactor.element, target.element) {
         Some(slot) if distance > reach * reach => couples.remove(contactor.element, slot),
         Some(_) => {}
         None if distance < reach * reach => {

@@ -18,7 +18,9 @@ mod rock_joint;
 mod snapshots;
 
 pub use boundary::{Condition, InSituStress, LoadHistory, LoadRamp, NodeSet};
-pub use contact::{ContactSettings, FrictionModel, PairProperties, PairRow, PairRule};
+pub use contact::{
+    ContactSettings, FrictionModel, PairProperties, PairRow, PairRule, PressedFaces, SpatialContact,
+};
 pub use control::{Control, RefinedOutput};
 pub use conventions::{
     BROKEN_OFFSET, BondedPairs, ChainAfterDrop, CohesiveModel, ContactSelection, ContactSum,

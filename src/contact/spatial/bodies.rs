@@ -1,5 +1,5 @@
 use super::{Frame, Vec3};
-use crate::scene::Elements;
+use crate::{lanes::each, scene::Elements};
 
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
@@ -15,9 +15,10 @@ pub struct Tetrahedron {
 
 impl Tetrahedron {
     /// The tetrahedron with these nodes; (x₁−x₀)×(x₂−x₀) points towards x₃.
+    #[inline(always)]
     #[must_use]
     pub fn new(corners: [Vec3; 4]) -> Self {
-        let [a, b, c, d] = corners.map(|x| x * 0.25);
+        let [a, b, c, d] = each!(4, |i| corners[i] * 0.25);
         Self { corners, centroid: a + b + c + d }
     }
 }
@@ -31,9 +32,10 @@ pub struct Contactor {
 
 impl Contactor {
     /// The tetrahedron with these nodes.
+    #[inline(always)]
     #[must_use]
     pub fn new(corners: &[Vec3; 4]) -> Self {
-        Self { frames: [0, 1, 2, 3].map(|face| Frame::new(corners, face)) }
+        Self { frames: each!(4, |face| Frame::new(corners, face)) }
     }
 }
 
@@ -45,8 +47,8 @@ pub(super) struct Bodies {
     /// As they lie in this step, where a couple that is evaluated needs them.
     pub targets: Vec<Tetrahedron>,
     pub contactors: Vec<Contactor>,
-    /// In which evaluation each was made last, as target and as contactor.
-    made: Vec<[u64; 2]>,
+    /// In which evaluation each was made last.
+    made: Vec<u64>,
     /// Place of each element among them.
     place: Vec<u32>,
 }
@@ -74,20 +76,19 @@ impl Bodies {
     pub fn settle(&mut self) {
         self.targets.resize(self.nodes.len(), Tetrahedron::default());
         self.contactors.resize(self.nodes.len(), Contactor::default());
-        self.made.resize(self.nodes.len(), [0; 2]);
+        self.made.resize(self.nodes.len(), 0);
     }
 
     /// Brings a couple up to the positions of evaluation number `evaluation`, which is above 0.
-    pub fn update(&mut self, [target, contactor]: [u32; 2], positions: &[Vec3], evaluation: u64) {
-        let (target, contactor) = (target as usize, contactor as usize);
-        let corners = |nodes: &[u32; 4]| nodes.map(|node| positions[node as usize]);
-        if self.made[target][0] != evaluation {
-            self.made[target][0] = evaluation;
-            self.targets[target] = Tetrahedron::new(corners(&self.nodes[target]));
-        }
-        if self.made[contactor][1] != evaluation {
-            self.made[contactor][1] = evaluation;
-            self.contactors[contactor] = Contactor::new(&corners(&self.nodes[contactor]));
+    pub fn update(&mut self, participants: [u32; 2], positions: &[Vec3], evaluation: u64) {
+        for place in participants.map(|place| place as usize) {
+            if self.made[place] != evaluation {
+                self.made[place] = evaluation;
+                let nodes = &self.nodes[place];
+                let corners = each!(4, |i| positions[nodes[i] as usize]);
+                self.targets[place] = Tetrahedron::new(corners);
+                self.contactors[place] = Contactor::new(&corners);
+            }
         }
     }
 }

@@ -1,4 +1,4 @@
-use super::{Vec3, surfaces::Surfaces};
+use super::{Slip, Vec3, pair_index::PairIndex, surfaces::Surfaces};
 use crate::{
     contact::{
         couples::CoupleList,
@@ -43,13 +43,20 @@ impl Participants<'_> {
     }
 }
 
+/// Detection with its buffers, reused from one time to the next.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Detector {
+    sweep: Sweep<3>,
+    index: PairIndex,
+}
+
 /// Updates the couple list: pairs that come within the buffer are added, couples that left it and
 /// lie in neighbouring cells are removed.
 pub(super) fn update(
-    sweep: &mut Sweep<3>,
+    Detector { sweep, index }: &mut Detector,
     scene: &Participants<'_>,
     tags: &[i32],
-    couples: &mut CoupleList<super::Slip>,
+    couples: &mut CoupleList<Slip>,
 ) {
     sweep.balls.clear();
     sweep.first_idle = None;
@@ -68,9 +75,11 @@ pub(super) fn update(
         }
     }
     couples.resize(tags.len());
+    index.fill(couples);
+    let find = |_: &CoupleList<Slip>, contactor, target| index.find(contactor, target);
     sweep.pairs(scene.buffer, |a, b| {
         if scene.selection != ContactSelection::Tagged || a.tag != b.tag {
-            couple_or_part(a, b, scene.buffer, couples);
+            couple_or_part(a, b, scene.buffer, couples, find);
         }
     });
 }

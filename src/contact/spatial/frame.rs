@@ -21,6 +21,7 @@ pub struct Frame {
 
 impl Frame {
     /// Face `face` of a tetrahedron.
+    #[inline(always)]
     #[must_use]
     pub fn new(corners: &[Vec3; 4], face: usize) -> Self {
         let [a, b, c, _] = FACES[face];

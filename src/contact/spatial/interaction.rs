@@ -2,13 +2,13 @@
 
 use super::{
     Slip, Vec3,
-    bodies::Bodies,
-    detection::{self, Participants},
-    overlap3::{FaceForce, overlap},
+    detection::{self, Detector, Participants},
+    evaluation::{Evaluator, Step},
     surfaces::Surfaces,
+    visits::Visits,
 };
 use crate::{
-    contact::{CoupleList, CoupleWork, sweep::Sweep},
+    contact::{CoupleList, CoupleWork},
     scene::{ContactSettings, Elements, Nodes, PairProperties},
 };
 use serde::{Deserialize, Serialize};
@@ -43,17 +43,10 @@ pub struct ContactState3 {
     work: CoupleWork,
 }
 
-/// A couple in the order of evaluation.
-#[derive(Debug, Clone, Copy)]
-struct Visit {
-    /// Rank of the pair of property sets.
-    rank: u32,
-    slot: u32,
-    /// Places of target and contactor among the bodies.
-    participants: [u32; 2],
-    /// Order of listing: by contactor, then newest first.
-    listed: u32,
-}
+/// Steps at the present speed for which pairs of faces that do nothing are to be left out.
+const HORIZON_STEPS: f64 = 32.0;
+/// They are left out for this share of the buffer at least.
+const HORIZON_SHARE: f64 = 1.0 / 128.0;
 
 /// Contact of a simulation in space.
 #[derive(Debug, Clone)]
@@ -61,16 +54,18 @@ pub struct Contact3 {
     settings: ContactSettings,
     rests: bool,
     couples: CoupleList<Slip>,
-    sweep: Sweep<3>,
+    detector: Detector,
     surfaces: Surfaces,
-    bodies: Bodies,
-    visits: Vec<Visit>,
+    visits: Visits,
+    evaluator: Evaluator,
     /// Nodes of elements that take part in contact.
     moving_nodes: Vec<u32>,
     /// Travel accumulated since the last detection, m.
     travel: f64,
     /// Path of the fastest node since the start: no node has moved further, m.
     path: f64,
+    /// Part of the path covered in the last step, m.
+    advance: f64,
     evaluations: u64,
     work: CoupleWork,
 }
@@ -85,13 +80,14 @@ impl Contact3 {
         Self {
             rests,
             couples: CoupleList::default(),
-            sweep: Sweep::default(),
+            detector: Detector::default(),
             surfaces: Surfaces::default(),
-            bodies: Bodies::default(),
-            visits: Vec::new(),
+            visits: Visits::default(),
+            evaluator: Evaluator::default(),
             moving_nodes: Vec::new(),
             travel: settings.initial_travel,
             path: 0.0,
+            advance: 0.0,
             evaluations: 0,
             work: CoupleWork::default(),
             settings,
@@ -198,7 +194,8 @@ impl Contact3 {
                 fastest = squared;
             }
         }
-        self.path += dt * fastest.sqrt();
+        self.advance = dt * fastest.sqrt();
+        self.path += self.advance;
         self.travel += 2.0 * dt * fastest.sqrt();
         if self.travel < self.settings.buffer {
             return;
@@ -215,48 +212,67 @@ impl Contact3 {
             selection: self.settings.selection,
         };
         scene.tag_boundary_elements(&mut tags);
-        detection::update(&mut self.sweep, &scene, &tags, &mut self.couples);
+        detection::update(&mut self.detector, &scene, &tags, &mut self.couples);
         elements.contact_tag = tags;
         self.work.most_couples = self.work.most_couples.max(self.couples.len());
         self.list_couples(elements);
     }
 
-    /// Lists the couples by pair of property sets, then contactor, then newest first.
     fn list_couples(&mut self, elements: &Elements) {
-        let Self { couples, surfaces, bodies, visits, .. } = self;
-        visits.clear();
-        bodies.clear(elements.len());
-        for contactor in 0..elements.len() as u32 {
-            for slot in couples.of(contactor) {
-                let target = couples.target(slot);
-                let property = |element: u32| elements.property[element as usize];
-                let Some(rank) = surfaces.rank(property(contactor), property(target)) else {
-                    continue;
-                };
-                let participants = [target, contactor].map(|e| bodies.place_of(e, elements));
-                visits.push(Visit { rank, slot, participants, listed: visits.len() as u32 });
-            }
-        }
-        visits.sort_unstable_by_key(|visit| (visit.rank, visit.listed));
-        bodies.settle();
+        self.visits.sort(&self.couples, &self.surfaces, elements);
     }
 
     /// Adds the contact forces of all couples.
-    pub fn interact(&mut self, motion: Motion3<'_>, _dt: f64, forces: &mut [Vec3]) {
+    pub fn interact(&mut self, motion: Motion3<'_>, dt: f64, forces: &mut [Vec3]) {
         self.evaluations += 1;
-        for visit in &self.visits {
-            self.bodies.update(visit.participants, motion.positions, self.evaluations);
-            let [target, contactor] = visit.participants.map(|place| place as usize);
-            let penalty = self.surfaces.pair(visit.rank).penalty;
-            let nodes = [target, contactor].map(|place| &self.bodies.nodes[place]);
-            let exert = |force: FaceForce| force.scatter(nodes[0], nodes[1], forces);
-            overlap(
-                &self.bodies.targets[target],
-                &self.bodies.contactors[contactor],
-                penalty,
-                exert,
-            );
+        let mut evaluator = std::mem::take(&mut self.evaluator);
+        self.visits.list_due(self.path, &mut evaluator.due);
+        if !evaluator.due.is_empty() {
+            self.bring_up(&evaluator.due, motion.positions);
+            let horizon = (HORIZON_STEPS * self.advance).max(HORIZON_SHARE * self.settings.buffer);
+            evaluator.ask(&self.step(motion, dt), horizon);
+            self.visits.learn(self.path, &evaluator.due, &evaluator.clearances);
+            self.let_go(&evaluator.due);
         }
-        self.work.evaluated += self.visits.len() as u64;
+        self.visits.list_awake(&mut evaluator.awake);
+        self.bring_up(&evaluator.awake, motion.positions);
+        evaluator.evaluate(&self.step(motion, dt), forces);
+        for &(slot, slip) in &evaluator.slips {
+            *self.couples.sliding_mut(slot) = slip;
+        }
+        let evaluated = evaluator.awake.len() as u64;
+        self.work.evaluated += evaluated;
+        self.work.rested += self.visits.list.len() as u64 - evaluated;
+        self.evaluator = evaluator;
+    }
+
+    fn step<'a>(&'a self, motion: Motion3<'a>, dt: f64) -> Step<'a> {
+        Step {
+            visits: &self.visits,
+            surfaces: &self.surfaces,
+            couples: &self.couples,
+            velocities: motion.velocities,
+            dt,
+            law: self.settings.spatial,
+            rests: self.rests,
+        }
+    }
+
+    /// Takes over the positions of the bodies of some couples.
+    fn bring_up(&mut self, couples: &[u32], positions: &[Vec3]) {
+        for &couple in couples {
+            let participants = self.visits.list[couple as usize].participants;
+            self.visits.bodies.update(participants, positions, self.evaluations);
+        }
+    }
+
+    /// Lets go the springs of friction of couples that came apart.
+    fn let_go(&mut self, couples: &[u32]) {
+        if self.settings.spatial.has_friction {
+            for &couple in couples.iter().filter(|&&couple| self.visits.active(couple) == 0) {
+                let slot = self.visits.list[couple as usize].slot;
+                *self.couples.sliding_mut(slot) = Slip::default();
+            }
+        }
     }
 }

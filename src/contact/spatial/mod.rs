@@ -12,15 +12,31 @@
 //! potential is integrated (`pressure`), and `shares` says what each node bears.
 
 mod bodies;
+mod clearance3;
 mod detection;
+mod evaluation;
 mod frame;
+mod friction3;
 mod interaction;
+#[cfg(test)]
+mod interaction_tests;
+#[cfg(test)]
+mod oracle;
 mod overlap3;
+#[cfg(test)]
+mod overlap_tests;
+mod pair_index;
 mod polygon;
+mod potential;
 mod pressure;
+#[cfg(test)]
+mod samples;
 mod section;
 mod shares;
+mod signs;
 mod surfaces;
+mod two_sided;
+mod visits;
 
 pub use bodies::{Contactor, Tetrahedron};
 pub use frame::{FACES, Frame};

@@ -1,8 +1,11 @@
-use super::{Frame, Point, cross, section::Section};
-use crate::TOLERANCE;
+use super::{Frame, Point, cross, section::Section, signs::Signs};
+use crate::{TOLERANCE, lanes::each};
 
 /// Corners of a section, a face and all crossings of their edges.
 const MOST: usize = 4 + 3 + 4 * 3;
+
+/// All corners of a face, a bit each.
+const ALL_OF_FACE: u32 = 0b111;
 
 /// A convex polygon in the plane of a face.
 #[derive(Debug, Clone, Copy)]
@@ -16,12 +19,6 @@ impl Polygon {
         Self { points: [[0.0; 2]; MOST], len: 0 }
     }
 
-    fn of(points: &[Point]) -> Self {
-        let mut polygon = Self::empty();
-        points.iter().for_each(|&point| polygon.push(point));
-        polygon
-    }
-
     fn push(&mut self, point: Point) {
         self.points[self.len] = point;
         self.len += 1;
@@ -32,44 +29,29 @@ impl Polygon {
     }
 
     /// What a section and a face have in common, if that has three corners at least.
-    pub fn common(section: &Section, frame: &Frame) -> Option<Self> {
-        let (cut, face) = (section.points(), &frame.corners);
-        let count = cut.len();
-        let next = |i: usize| if i + 1 == count { 0 } else { i + 1 };
-        // of_cut[j][i]: point i of the cut from edge j of the face, and the other way round
-        let mut of_cut = [[0.0; 4]; 3];
-        let mut of_face = [[0.0; 3]; 4];
-        for i in 0..count {
-            for j in 0..3 {
-                of_cut[j][i] = cross(face[j], face[(j + 1) % 3], cut[i]);
-                of_face[i][j] = cross(cut[i], cut[next(i)], face[j]);
-            }
-        }
-        let cut_is_inside = |i: usize| (0..3).all(|j| of_cut[j][i] >= 0.0);
-        let face_is_inside = |j: usize| (0..count).all(|i| of_face[i][j] >= 0.0);
-        if (0..3).all(face_is_inside) {
-            return Some(Self::of(face));
-        }
-        if (0..count).all(cut_is_inside) {
-            return Some(Self::of(cut));
+    #[inline(always)]
+    pub fn common(section: &Section, frame: &Frame, signs: Signs) -> Option<Self> {
+        if signs.corners() < 3 {
+            return None;
         }
         let mut polygon = Self::empty();
-        (0..count).filter(|&i| cut_is_inside(i)).for_each(|i| polygon.push(cut[i]));
-        (0..3).filter(|&j| face_is_inside(j)).for_each(|j| polygon.push(face[j]));
-        for i in 0..count {
-            for j in 0..3 {
-                let k = (j + 1) % 3;
-                let (start, end) = (of_face[i][j], of_face[i][k]);
-                if changes_sign(start, end) && changes_sign(of_cut[j][i], of_cut[j][next(i)]) {
-                    let difference = (start - end).abs();
-                    let weight =
-                        if difference < TOLERANCE { 0.5 } else { (start / difference).abs() };
-                    polygon.push([0, 1].map(|c| (1.0 - weight) * face[j][c] + weight * face[k][c]));
-                }
-            }
+        if signs.face_inside == ALL_OF_FACE {
+            frame.corners.iter().for_each(|&corner| polygon.push(corner));
+            return Some(polygon);
         }
-        if polygon.len < 3 {
-            return None;
+        for i in (0..section.len).filter(|i| signs.section_inside & 1 << i != 0) {
+            polygon.push(section.point(i));
+        }
+        if polygon.len == section.len {
+            return Some(polygon);
+        }
+        for j in (0..3).filter(|j| signs.face_inside & 1 << j != 0) {
+            polygon.push(frame.corners[j]);
+        }
+        for i in 0..section.len {
+            for j in (0..3).filter(|j| signs.crossings & 1 << (4 * j + i) != 0) {
+                polygon.push(crossing(section, i, &frame.corners, j));
+            }
         }
         polygon.put_in_order();
         Some(polygon)
@@ -111,7 +93,13 @@ impl Polygon {
     }
 }
 
-/// Whether one is above and the other below 0 by more than the tolerance.
-fn changes_sign(a: f64, b: f64) -> bool {
-    a > TOLERANCE && b < -TOLERANCE || a < -TOLERANCE && b > TOLERANCE
+/// Where edge `j` of a face crosses edge `i` of a section.
+#[inline(always)]
+fn crossing(section: &Section, i: usize, face: &[Point; 3], j: usize) -> Point {
+    let (from, to) = (section.point(i), section.point((i + 1) % 4));
+    let (p, q) = (face[j], face[(j + 1) % 3]);
+    let (start, end) = (cross(from, to, p), cross(from, to, q));
+    let difference = (start - end).abs();
+    let weight = if difference < TOLERANCE { 0.5 } else { (start / difference).abs() };
+    each!(2, |k| (1.0 - weight) * p[k] + weight * q[k])
 }

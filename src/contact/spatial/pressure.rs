@@ -1,6 +1,5 @@
 use super::{Frame, Point, cross, dot, polygon::Polygon, section::View, vector_product};
-use crate::TOLERANCE;
-use crate::contact::spatial::FACES;
+use crate::{TOLERANCE, contact::spatial::FACES, lanes::each};
 
 /// The potential of a target's sub-tetrahedron in the plane of a face: linear, 0 on the outer
 /// face, 1 in the centroid.
@@ -21,7 +20,7 @@ impl Potential {
         let volume = dot(&(points[4] - base), &normal);
         Self {
             at_origin: dot(&-base, &normal) / volume,
-            slopes: frame.axes.map(|axis| dot(&axis, &normal) / volume),
+            slopes: each!(2, |k| dot(&frame.axes[k], &normal) / volume),
             volume,
         }
     }
@@ -69,7 +68,7 @@ impl Resultant {
         let second = (0.5 * q + 0.25 * (p + r)) / total;
         let third = 1.0 - first - second;
         let sum = self.force + force;
-        self.centre = [0, 1].map(|k| {
+        self.centre = each!(2, |k| {
             let place = first * corners[0][k] + second * corners[1][k] + third * corners[2][k];
             (self.force * self.centre[k] + force * place) / sum
         });

@@ -1,4 +1,5 @@
 use super::{FACES, Frame, Point, Vec3, cross, pressure::Resultant, section::View};
+use crate::lanes::each;
 
 /// Below this share of the sub-tetrahedron's volume (six times it) the target's face is seen too
 /// much from the side; an area is held against a volume, as in the original.
@@ -22,7 +23,7 @@ pub(super) fn of_contactor(frame: &Frame, face: usize, resultant: &Resultant) ->
 #[inline(always)]
 pub(super) fn of_target(view: &View, face: usize, volume: f64, resultant: &Resultant) -> [f64; 4] {
     let nodes = FACES[face];
-    let corners = [nodes[0], nodes[1], nodes[2]].map(|node| view.places[node]);
+    let corners = each!(3, |i| view.place(nodes[i]));
     let double_area = cross(corners[0], corners[1], corners[2]);
     let mut shares = [0.0; 4];
     if double_area.abs() >= OBLIQUE * volume {
@@ -32,9 +33,9 @@ pub(super) fn of_target(view: &View, face: usize, volume: f64, resultant: &Resul
         }
         return shares;
     }
-    let left_out = replaced(&corners, [nodes[0], nodes[1], nodes[2]].map(|n| view.points[n]));
+    let left_out = replaced(&corners, each!(3, |i| view.points[nodes[i]]));
     let (next, last) = ((left_out + 1) % 3, (left_out + 2) % 3);
-    let centroid = view.places[4];
+    let centroid = view.place(4);
     let triangle = [corners[next], corners[last], centroid];
     let double_area = cross(triangle[0], triangle[1], triangle[2]);
     let share = |from: usize, to: usize| {

@@ -1,7 +1,7 @@
 use super::{Reader, reader::Offenders, ygeo};
 use crate::scene::{
     ContactSelection, ContactSettings, Conventions, ElementKind, FrictionModel, Insertion,
-    PairRule, Scene,
+    PairRule, Scene, SpatialContact,
 };
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
@@ -50,6 +50,7 @@ pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Option<ContactS
         initial_sliding: (0..slots)
             .map(|slot| std::array::from_fn(|k| sliding.map_or(0.0, |f| f.get2(k, slot))))
             .collect(),
+        spatial: SpatialContact::default(),
     })
 }
 
