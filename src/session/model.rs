@@ -87,6 +87,9 @@ impl ModelState {
     }
 }
 
+/// The writers of a run of a simulation `M`.
+pub(super) type Writers<M> = Vec<Box<dyn ResultWriter<M>>>;
+
 /// A simulation as sessions see it.
 pub(super) trait Model: Sized {
     /// Time stepping and intervals.
@@ -175,5 +178,5 @@ pub(super) trait Model: Sized {
         names: &OutputNames,
         background: &Background,
         is_resumed: bool,
-    ) -> Result<Vec<Box<dyn ResultWriter<Self>>>, OutputError>;
+    ) -> Result<Writers<Self>, OutputError>;
 }

@@ -3,11 +3,11 @@
 use super::{
     checkpoint::{Checkpoint, CheckpointError, DeckPrint, Position},
     load::LoadedDeck,
-    model::Model,
+    model::{Model, Writers},
     restage::replay,
     run::{RunError, RunOptions},
 };
-use crate::output::{Background, OutputNames, ResultWriter};
+use crate::output::{Background, OutputNames};
 use yformat::database::Database;
 
 /// More steps, and more triangles times steps, than any run does.
@@ -25,7 +25,7 @@ pub(super) fn resume<M: Model>(
     options: &RunOptions,
     names: &OutputNames,
     background: &Background,
-) -> Result<(Position, Vec<Box<dyn ResultWriter<M>>>), RunError> {
+) -> Result<(Position, Writers<M>), RunError> {
     let other_deck = || CheckpointError::OtherDeck { deck: options.deck.clone() };
     let mut position = checkpoint.position.clone();
     let LoadedDeck { deck, database, stages, .. } = loaded;

@@ -110,7 +110,8 @@ fn check_topology(
             )
             .at(reader.length("YDE/I2ELTO", 0))
             .expected(format!(
-                "{corners} nodes for each of the {bodies}, after the header `21 {corners} <number of elements>`"
+                "{corners} nodes for each {}, after the header `21 {corners} <number of elements>`",
+                body_name(dimension, false)
             )),
         );
         return false;
