@@ -5,7 +5,7 @@ use crate::{
     output::MonitorPlan,
     scene::Profile,
     session::{Format, RunOptions, Silent, load, run},
-    simulation::{PhaseTimes, SolverOptions, joint_views},
+    simulation::{AnySimulation, PhaseTimes, SolverOptions, joint_views},
 };
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
@@ -56,7 +56,7 @@ pub struct Measurement {
 /// If the deck cannot be run or a file cannot be written.
 pub fn work(work: &Work) -> Result<Measurement, BenchError> {
     let mut loaded = load(&work.deck, None, Profile::default(), SolverOptions::default())?;
-    let Some(simulation) = &mut loaded.simulation else {
+    let Some(AnySimulation::Plane(simulation)) = &mut loaded.simulation else {
         return Err(BenchError::NothingRuns(work.deck.clone()));
     };
     if work.takes_phases {

@@ -98,7 +98,7 @@ impl Simulation {
     /// Moves the nodes of one set that have mass (spec `y2d3d.md` F.1).
     fn move_nodes(&mut self, set: usize, runs: Range<usize>) {
         let control = &self.scene.control;
-        let (dt, gravity, time) = (control.time_step, control.gravity, self.time);
+        let (dt, gravity, time) = (control.time_step, control.gravity[1], self.time);
         let runs = &self.plan.node_runs[runs];
         let factor = self.scene.load_factor(set, time);
         let drive = Drive::new(&self.scene.node_sets[set], factor, gravity, dt);
