@@ -10,7 +10,7 @@ use ypsilon::meshing::{
 use ypsilon::{
     scene::Profile,
     session::{LoadedDeck, load},
-    simulation::SolverOptions,
+    simulation::{AnySimulation, SolverOptions},
 };
 
 /// Corners of a triangle as bits, from the smallest on.
@@ -141,7 +141,8 @@ fn applied(deck: &LoadedDeck, time: f64) -> f64 {
         }
         factor
     };
-    let simulation = deck.simulation.as_ref().expect("a simulation");
+    let simulation =
+        deck.simulation.clone().and_then(AnySimulation::into_plane).expect("a simulation");
     let sets = simulation.scene().nodes.set.iter().map(|&set| set as usize);
     // the deck's own nodes stay behind without a triangle
     let bodies = sets.zip(simulation.masses()).filter(|&(_, mass)| *mass > 0.0);
@@ -265,7 +266,8 @@ fn every_kind_makes_a_deck_that_can_be_run_and_made_again() {
         let text = generated.deck.to_text();
         let deck = loaded(&generated);
         assert!(deck.findings.is_empty(), "{kind}: {:?}", deck.findings);
-        let mut simulation = deck.simulation.expect("a simulation");
+        let mut simulation =
+            deck.simulation.and_then(AnySimulation::into_plane).expect("a simulation");
         for _ in 0..20 {
             simulation.evaluate_forces();
             simulation.advance();

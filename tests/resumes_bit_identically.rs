@@ -23,7 +23,7 @@ use ypsilon::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSummary, Silent,
         load, run_with,
     },
-    simulation::{Simulation, SimulationState, SolverOptions},
+    simulation::{AnySimulation, Simulation, SimulationState, SolverOptions},
 };
 
 /// Longest part of a reference run that is looked at.
@@ -53,7 +53,11 @@ fn decks(name: &str) -> Vec<PathBuf> {
 
 fn simulation(deck: &Path) -> Simulation {
     let loaded = load(deck, None, Profile::default(), SolverOptions::default());
-    loaded.expect("a sound deck").simulation.expect("a deck that runs")
+    loaded
+        .expect("a sound deck")
+        .simulation
+        .and_then(AnySimulation::into_plane)
+        .expect("a deck that runs")
 }
 
 /// All bits of a state: floats are kept as they are.

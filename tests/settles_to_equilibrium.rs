@@ -253,7 +253,7 @@ fn scenes_without_rest_are_refused() {
     refused(Unsettleable::AbsorbingBoundaries, &|s| condition(s, Condition::Absorbing));
     refused(Unsettleable::NoFreeNode, &|s| condition(s, Condition::Velocity));
     refused(Unsettleable::NothingHeld, &|s| condition(s, Condition::Force));
-    refused(Unsettleable::NoLoad, &|s| s.control.gravity = 0.0);
+    refused(Unsettleable::NoLoad, &|s| s.control.gravity = [0.0; 3]);
     refused(Unsettleable::Moving { node: 20 }, &|s| s.nodes.velocity[20].x = 1.0);
     let mut simulation = prepared(&scene_of(COLUMN, 1.0));
     let options = SettlingOptions { tolerance: f64::NAN, ..SettlingOptions::default() };

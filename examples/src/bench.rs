@@ -11,7 +11,7 @@ use ypsilon::{
     meshing::{Generated, Scenario},
     scene::Profile,
     session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent, StopReason},
-    simulation::{Simulation, SolverOptions},
+    simulation::{AnySimulation, Simulation, SolverOptions},
     team::Team,
 };
 use ypsilon_post::{plot::Picture, results::Results, table::Table};
@@ -220,7 +220,7 @@ impl Bench {
     ) -> Result<Watched, CaseError> {
         let (generated, deck) = self.deck(scenario, name)?;
         let loaded = load(&deck)?;
-        let Some(mut simulation) = loaded.simulation else {
+        let Some(mut simulation) = loaded.simulation.and_then(AnySimulation::into_plane) else {
             return Err(CaseError::missing(format!("{} runs nothing", deck.display())));
         };
         let started = Instant::now();

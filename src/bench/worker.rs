@@ -5,7 +5,7 @@ use crate::{
     output::MonitorPlan,
     scene::Profile,
     session::{Format, RunOptions, Silent, load, run},
-    simulation::{PhaseTimes, SolverOptions, joint_views},
+    simulation::{AnySimulation, PhaseTimes, SolverOptions, joint_views},
     team::Team,
 };
 use serde::{Deserialize, Serialize};
@@ -58,7 +58,7 @@ pub struct Measurement {
 pub fn work(work: &Work, team: Team) -> Result<Measurement, BenchError> {
     let solver = SolverOptions { team, ..SolverOptions::default() };
     let mut loaded = load(&work.deck, None, Profile::default(), solver)?;
-    let Some(simulation) = &mut loaded.simulation else {
+    let Some(AnySimulation::Plane(simulation)) = &mut loaded.simulation else {
         return Err(BenchError::NothingRuns(work.deck.clone()));
     };
     if work.takes_phases {

@@ -1,8 +1,8 @@
 use super::{Exit, console::say, deck_report, run::parse_dialect};
 use crate::{
     scene::Profile,
-    session::load,
-    simulation::{SolverOptions, joint_views},
+    session::{SceneSize, load},
+    simulation::SolverOptions,
 };
 use clap::Args;
 use std::path::PathBuf;
@@ -29,14 +29,17 @@ pub(super) fn main(arguments: &CheckArguments) -> Exit {
                 deck_report::print(&loaded.findings, loaded.deck.sources(), Severity::Note);
                 match &loaded.simulation {
                     None => say(&format!("{}: nothing runs", deck.display())),
-                    Some(simulation) => say(&format!(
-                        "{}: {}, {}, {}, {}: ready to run",
-                        deck.display(),
-                        counted(loaded.stages.len(), "stage"),
-                        counted(simulation.scene().nodes.len(), "node"),
-                        counted(simulation.triangles().count(), "triangle"),
-                        counted(joint_views(simulation).count(), "joint")
-                    )),
+                    Some(simulation) => {
+                        let size = SceneSize::of(simulation);
+                        say(&format!(
+                            "{}: {}, {}, {}, {}: ready to run",
+                            deck.display(),
+                            counted(loaded.stages.len(), "stage"),
+                            counted(size.nodes, "node"),
+                            size.bodies_in_words(),
+                            counted(size.joints, "joint")
+                        ));
+                    }
                 }
             }
         }

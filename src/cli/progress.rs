@@ -1,7 +1,7 @@
 use super::{console::say, deck_report, interrupt};
 use crate::{
     output::TABLE_HEADER,
-    session::{Observer, Progress, RunSummary, SettlingSummary, StopReason},
+    session::{Observer, Progress, RunSummary, SceneSize, SettlingSummary, StopReason},
     simulation::{SettlingOptions, SettlingProgress, Simulation},
 };
 use indicatif::{HumanDuration, ProgressBar, ProgressDrawTarget, ProgressStyle};
@@ -59,17 +59,16 @@ fn time_left(progress: &Progress) -> Duration {
 }
 
 impl Observer for Screen {
-    fn stage_starts(&mut self, deck: &str, simulation: &Simulation, steps: u64) {
-        let scene = simulation.scene();
+    fn stage_starts(&mut self, deck: &str, size: SceneSize, steps: u64, time_step: f64) {
         say(&format!("\nNEW INPUT: {deck}"));
         say(&format!(
-            "{} nodes, {} triangles, {} joints, {} materials; {} steps of {:e} s",
-            scene.nodes.len(),
-            simulation.triangles().count(),
-            crate::simulation::joint_views(simulation).count(),
-            scene.materials.len(),
+            "{} nodes, {}, {} joints, {} materials; {} steps of {:e} s",
+            size.nodes,
+            size.bodies_in_words(),
+            size.joints,
+            size.materials,
             steps,
-            scene.control.time_step
+            time_step
         ));
         say("Start calculating ...");
         if !self.has_heading {
@@ -175,8 +174,9 @@ impl Observer for Screen {
         } else {
             say("   ***** Y HAS ORDERLY FINISHED *****");
         }
+        let body = if summary.tetrahedra > 0 { "tetrahedron" } else { "triangle" };
         say(&format!(
-            "{} steps in {:.3} s: {:.1} ns per triangle-step, {:.3} million triangle-steps per second",
+            "{} steps in {:.3} s: {:.1} ns per {body}-step, {:.3} million {body}-steps per second",
             summary.steps,
             summary.seconds,
             1e9 / summary.triangle_steps_per_second.max(1e-300),

@@ -263,7 +263,9 @@ fn report_failure(error: &RunError) -> Exit {
     }
     warn(&format!("error: {error}"));
     match error {
-        RunError::Output(OutputError::Monitor { .. }) => Exit::Usage,
+        RunError::Output(OutputError::Monitor { .. } | OutputError::MonitorInSpace { .. }) => {
+            Exit::Usage
+        }
         RunError::Output(_) => Exit::Output,
         RunError::Settling(SettlingFault::Tolerance(_)) => Exit::Usage,
         RunError::Settling(SettlingFault::Refused(_)) => Exit::Input,

@@ -14,29 +14,30 @@ const NONE: u32 = u32::MAX;
 
 /// A couple in its slot.
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-struct Slot {
+struct Slot<S> {
     target: u32,
     next: u32,
-    sliding: [f64; 6],
+    sliding: S,
     /// Path length up to which the couple need not be evaluated, m.
     rest: f64,
 }
 
-/// Couples chained per contactor (the higher element number of a pair).
+/// Couples chained per contactor (the higher element number of a pair), with the
+/// sliding `S` of each.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub struct CoupleList {
+pub struct CoupleList<S = [f64; 6]> {
     /// Newest couple of each contactor.
     first: Vec<u32>,
-    slots: Vec<Slot>,
+    slots: Vec<Slot<S>>,
     /// Freed slots, the one to be used next last.
     free: Vec<u32>,
-    initial_sliding: Vec<[f64; 6]>,
+    initial_sliding: Vec<S>,
 }
 
-impl CoupleList {
+impl<S: Copy + Default> CoupleList<S> {
     /// An empty list whose slots start with the given sliding (0 beyond).
     #[must_use]
-    pub fn new(initial_sliding: Vec<[f64; 6]>) -> Self {
+    pub fn new(initial_sliding: Vec<S>) -> Self {
         Self { initial_sliding, ..Self::default() }
     }
 
@@ -79,14 +80,14 @@ impl CoupleList {
         self.slots[slot as usize].target
     }
 
-    /// Sliding accumulated in a slot, m².
+    /// Sliding accumulated in a slot.
     #[must_use]
-    pub fn sliding(&self, slot: u32) -> &[f64; 6] {
+    pub fn sliding(&self, slot: u32) -> &S {
         &self.slots[slot as usize].sliding
     }
 
-    /// Sliding accumulated in a slot, m², to be updated.
-    pub fn sliding_mut(&mut self, slot: u32) -> &mut [f64; 6] {
+    /// Sliding accumulated in a slot, to be updated.
+    pub fn sliding_mut(&mut self, slot: u32) -> &mut S {
         &mut self.slots[slot as usize].sliding
     }
 
@@ -110,7 +111,7 @@ impl CoupleList {
             return Err("the couples are of another number of elements");
         }
         let mut seen = vec![false; self.slots.len()];
-        let mut visit = |slot: u32| -> Result<Slot, &'static str> {
+        let mut visit = |slot: u32| -> Result<Slot<S>, &'static str> {
             let entry = self.slots.get(slot as usize).ok_or("a couple has no slot")?;
             if std::mem::replace(&mut seen[slot as usize], true) {
                 return Err("a slot belongs to two couples");
@@ -191,7 +192,7 @@ mod tests {
 
     #[test]
     fn newest_couple_comes_first_and_freed_slots_are_reused_with_their_sliding() {
-        let mut couples = CoupleList::new(vec![]);
+        let mut couples = CoupleList::<[f64; 6]>::new(vec![]);
         couples.resize(4);
         let a = couples.insert(3, 0);
         let b = couples.insert(3, 1);

@@ -19,6 +19,8 @@ mod overlap2;
 mod placement;
 mod places;
 mod profile;
+pub mod spatial;
+mod sweep;
 mod visits;
 
 pub use bonds::Bonds;

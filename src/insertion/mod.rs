@@ -6,11 +6,14 @@
 
 mod joints;
 mod refine;
+mod solids;
 mod trace;
 
 use crate::scene::{Elements, FractureNetwork, Insertion, Material, Nodes, Scene};
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
+
+pub use solids::{execute_in_space, room_needed_in_space};
 
 /// Number of passes, enough for the digits of any code.
 const PASSES: usize = 10;

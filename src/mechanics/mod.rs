@@ -7,12 +7,17 @@
 pub mod aperture;
 pub mod edge_load;
 pub mod joint2;
+pub mod joint3;
 pub mod rigid_triangle;
 pub mod softening;
 pub mod softening_triangle;
+pub mod tetrahedron;
 pub mod triangle;
 
-use nalgebra::Vector2;
+use nalgebra::{Vector2, Vector3};
 
 /// A point or vector of the plane.
 pub type Vec2 = Vector2<f64>;
+
+/// A point or vector in space.
+pub type Vec3 = Vector3<f64>;

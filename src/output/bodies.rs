@@ -35,16 +35,16 @@ pub fn body_of_elements(simulation: &Simulation) -> Vec<i32> {
 }
 
 /// Union-find with path halving.
-struct DisjointSets {
+pub(super) struct DisjointSets {
     parent: Vec<usize>,
 }
 
 impl DisjointSets {
-    fn new(len: usize) -> Self {
+    pub fn new(len: usize) -> Self {
         Self { parent: (0..len).collect() }
     }
 
-    fn root(&mut self, mut node: usize) -> usize {
+    pub fn root(&mut self, mut node: usize) -> usize {
         while self.parent[node] != node {
             self.parent[node] = self.parent[self.parent[node]];
             node = self.parent[node];
@@ -52,7 +52,7 @@ impl DisjointSets {
         node
     }
 
-    fn join(&mut self, a: usize, b: usize) {
+    pub fn join(&mut self, a: usize, b: usize) {
         let (a, b) = (self.root(a), self.root(b));
         self.parent[a.max(b)] = a.min(b);
     }

@@ -12,7 +12,7 @@ use crate::{
 /// that fail before the first output out of the list but not out of the
 /// states, which shifts every later value of the file: spec `y2d3d.md` I.26.)
 #[must_use]
-pub fn shown_elements(scene: &Scene) -> Vec<usize> {
+pub fn shown_elements<const D: usize>(scene: &Scene<D>) -> Vec<usize> {
     (0..scene.elements.len())
         .filter(|&e| match scene.elements.joint_kind[e] {
             JointKind::NoJoint => scene.elements.property[e] >= 0,
@@ -21,17 +21,17 @@ pub fn shown_elements(scene: &Scene) -> Vec<usize> {
         .collect()
 }
 
-/// Whether an element is a joint: it has a fourth node.
+/// Whether an element is a joint: it has more nodes than bodies.
 #[must_use]
-pub fn is_joint(scene: &Scene, element: usize) -> bool {
-    scene.elements.nodes[element][3] >= 0
+pub fn is_joint<const D: usize>(scene: &Scene<D>, element: usize) -> bool {
+    scene.elements.nodes[element][D + 1] >= 0
 }
 
 /// Material number of an element as d3plot files count them, from 1; 0 for a
 /// broken joint. A joint belongs to the first material of the first table row
 /// that names its joint set.
 #[must_use]
-pub fn material_number(scene: &Scene, element: usize) -> i32 {
+pub fn material_number<const D: usize>(scene: &Scene<D>, element: usize) -> i32 {
     let property = scene.elements.property[element];
     let materials = scene.materials.len() as i32;
     if property < 0 || scene.elements.joint_kind[element].is_fracture() {
@@ -55,7 +55,9 @@ pub fn original_material_number(simulation: &Simulation, element: usize) -> i32 
     material_number(scene, element)
 }
 
-fn material_of_joint_set(scene: &Scene, set: i32) -> i32 {
+/// Material of the first table row that names a joint set; the number of the set where none does.
+#[must_use]
+pub fn material_of_joint_set<const D: usize>(scene: &Scene<D>, set: i32) -> i32 {
     let pairs = scene.insertion.iter().flat_map(|insertion| &insertion.pairs);
     let row = pairs.into_iter().find(|pair| pair.joint_set == set);
     row.map_or(set, |pair| pair.materials[0] + 1)

@@ -55,6 +55,15 @@ pub enum OutputError {
         /// Why.
         source: ypsilon_post::PostError,
     },
+    /// Monitors are asked for in three dimensions.
+    #[error(
+        "monitor {name}: the scene is three-dimensional, and monitors watch 2D scenes only; \
+         run it without --monitor and take the values from the VTU files"
+    )]
+    MonitorInSpace {
+        /// Its name.
+        name: String,
+    },
     /// A VTK file could not be written.
     #[error(transparent)]
     Vtk(#[from] ypsilon_converters::ConvertError),

@@ -3,8 +3,8 @@
 use super::{FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, mark::mark_of};
 use crate::{
     mechanics::Vec2,
-    scene::{HistoryLines, Probe},
-    simulation::Simulation,
+    scene::{HistoryLines, Probe, Scene},
+    simulation::{Simulation, SpatialSimulation},
 };
 use std::{
     fs,
@@ -17,6 +17,8 @@ use yformat::{
     part_file::PartFile,
 };
 
+/// What `--formats` calls the files.
+const KIND: &str = "yh";
 /// Lines are written at steps whose index is a multiple of this: fixed in the
 /// original of the split dialect, whatever the output interval.
 const LINE_INTERVAL: u64 = 100;
@@ -37,8 +39,11 @@ impl HistoryOutput {
     ///
     /// # Errors
     /// If a file cannot be created or an earlier one cannot be read.
-    pub fn open(names: &OutputNames, simulation: &Simulation) -> Result<Self, OutputError> {
-        let continues = simulation.scene().control.first_step > 0;
+    pub fn open<const D: usize>(
+        names: &OutputNames,
+        scene: &Scene<D>,
+    ) -> Result<Self, OutputError> {
+        let continues = scene.control.first_step > 0;
         let open = |index: usize| -> Result<_, OutputError> {
             let path = names.history(index);
             let mut part = PartFile::create(&path).map_err(OutputError::io(&path))?;
@@ -48,7 +53,7 @@ impl HistoryOutput {
             }
             Ok((path, BufWriter::new(part)))
         };
-        let files = (0..simulation.scene().probes.len()).map(open).collect::<Result<_, _>>()?;
+        let files = (0..scene.probes.len()).map(open).collect::<Result<_, _>>()?;
         Ok(Self { files })
     }
 
@@ -117,15 +122,11 @@ impl ResultWriter for HistoryOutput {
     }
 
     fn kind(&self) -> &'static str {
-        "yh"
+        KIND
     }
 
     fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
-        let mark = |(path, file): &mut (PathBuf, BufWriter<PartFile>)| {
-            mark_of(file).map_err(OutputError::io(path.as_path()))
-        };
-        let positions = self.files.iter_mut().map(mark).collect::<Result<Vec<_>, _>>()?;
-        encode(self.kind(), &positions)
+        self.mark_files()
     }
 
     fn resume(
@@ -134,9 +135,68 @@ impl ResultWriter for HistoryOutput {
         names: &OutputNames,
         simulation: &Simulation,
     ) -> Result<(), OutputError> {
-        let positions: Vec<FilePosition> = decode(self.kind(), mark)?;
-        if positions.len() != simulation.scene().probes.len() {
-            return Err(OutputError::Mark { kind: self.kind() });
+        self.resume_files(mark, names, simulation.scene().probes.len())
+    }
+
+    fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
+        self.finish_files()
+    }
+}
+
+impl ResultWriter<SpatialSimulation> for HistoryOutput {
+    fn after_forces(&mut self, simulation: &SpatialSimulation) -> Result<(), OutputError> {
+        if !simulation.step_index().is_multiple_of(LINE_INTERVAL) {
+            return Ok(());
+        }
+        let probes = simulation.scene().probes.iter().zip(simulation.probe_values());
+        for ((probe, value), (path, file)) in probes.zip(&mut self.files) {
+            HistoryWriter::new(file, LineStyle::Unix)
+                .write(simulation.time() * probe.time_factor, value * probe.value_factor)
+                .map_err(OutputError::io(path.as_path()))?;
+        }
+        Ok(())
+    }
+
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        self.mark_files()
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        simulation: &SpatialSimulation,
+    ) -> Result<(), OutputError> {
+        self.resume_files(mark, names, simulation.scene().probes.len())
+    }
+
+    fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
+        self.finish_files()
+    }
+}
+
+impl HistoryOutput {
+    fn mark_files(&mut self) -> Result<Vec<u8>, OutputError> {
+        let mark = |(path, file): &mut (PathBuf, BufWriter<PartFile>)| {
+            mark_of(file).map_err(OutputError::io(path.as_path()))
+        };
+        let positions = self.files.iter_mut().map(mark).collect::<Result<Vec<_>, _>>()?;
+        encode(KIND, &positions)
+    }
+
+    fn resume_files(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        probes: usize,
+    ) -> Result<(), OutputError> {
+        let positions: Vec<FilePosition> = decode(KIND, mark)?;
+        if positions.len() != probes {
+            return Err(OutputError::Mark { kind: KIND });
         }
         let open = |(index, position): (usize, FilePosition)| -> Result<_, OutputError> {
             let path = names.history(index);
@@ -148,7 +208,7 @@ impl ResultWriter for HistoryOutput {
         Ok(())
     }
 
-    fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
+    fn finish_files(self) -> Result<Vec<PathBuf>, OutputError> {
         let complete = |(path, file): (PathBuf, BufWriter<PartFile>)| {
             let part = file.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
             part.complete().map_err(OutputError::io(path))

@@ -7,6 +7,7 @@
 mod background;
 mod bodies;
 mod d3plot;
+mod d3plot_family;
 mod elements;
 mod error;
 mod histories;
@@ -16,8 +17,10 @@ mod names;
 mod restart_deck;
 mod run_table;
 mod snapshots;
+mod spatial;
 mod state_file;
 mod vtu;
+mod vtu_series;
 mod ygeo;
 
 pub use background::Background;
@@ -31,7 +34,8 @@ pub use names::OutputNames;
 pub use restart_deck::RestartDeckOutput;
 pub use run_table::{RunTable, TABLE_HEADER, table_row};
 pub use snapshots::SnapshotOutput;
-pub use state_file::{StateFileOutput, write_state};
+pub use spatial::{SpatialD3plotOutput, SpatialVtuOutput, body_of_tetrahedra};
+pub use state_file::{StateFileOutput, write_spatial_state, write_state};
 pub use vtu::VtuOutput;
 pub use ygeo::YGeoOutput;
 
@@ -42,8 +46,8 @@ use std::{
 };
 use yformat::{database::Database, deck::Deck, part_file::PartFile};
 
-/// A kind of result file.
-pub trait ResultWriter {
+/// A kind of result file of a simulation `S`.
+pub trait ResultWriter<S = Simulation> {
     /// Looks at the values of a stage of the deck before its first step.
     ///
     /// # Errors
@@ -57,7 +61,7 @@ pub trait ResultWriter {
     ///
     /// # Errors
     /// If a file cannot be written.
-    fn after_forces(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
+    fn after_forces(&mut self, _simulation: &S) -> Result<(), OutputError> {
         Ok(())
     }
 
@@ -66,7 +70,7 @@ pub trait ResultWriter {
     ///
     /// # Errors
     /// If a file cannot be written.
-    fn after_motion(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
+    fn after_motion(&mut self, _simulation: &S) -> Result<(), OutputError> {
         Ok(())
     }
 
@@ -74,7 +78,7 @@ pub trait ResultWriter {
     ///
     /// # Errors
     /// If a file cannot be written.
-    fn after_step(&mut self, _simulation: &Simulation) -> Result<(), OutputError> {
+    fn after_step(&mut self, _simulation: &S) -> Result<(), OutputError> {
         Ok(())
     }
 
@@ -111,7 +115,7 @@ pub trait ResultWriter {
         &mut self,
         mark: &[u8],
         names: &OutputNames,
-        _simulation: &Simulation,
+        _simulation: &S,
     ) -> Result<(), OutputError> {
         let kind = self.kind();
         let files = self.series().ok_or(OutputError::NotResumable { kind })?;

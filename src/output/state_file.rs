@@ -2,12 +2,19 @@
 //! debugging and for comparison with other programs.
 
 use super::{Background, OutputError, OutputNames, ResultWriter, save};
-use crate::simulation::Simulation;
+use crate::{
+    scene::Scene,
+    simulation::{Simulation, SpatialSimulation},
+};
+use nalgebra::SVector;
 use std::{
     collections::BTreeSet,
     io::{self, Write},
     path::PathBuf,
 };
+
+/// What a run calls the files.
+const KIND: &str = "state";
 
 /// Writes the state after chosen numbers of completed steps.
 pub struct StateFileOutput {
@@ -36,17 +43,11 @@ impl StateFileOutput {
 
 impl ResultWriter for StateFileOutput {
     fn after_step(&mut self, simulation: &Simulation) -> Result<(), OutputError> {
-        let done = simulation.step_index();
-        if self.steps.contains(&done) {
-            let path = self.names.state(done);
-            save(&self.background, &path, |contents| write_state(contents, simulation))?;
-            self.written.push(path);
-        }
-        Ok(())
+        self.write_if_due(simulation.step_index(), |file| write_state(file, simulation))
     }
 
     fn kind(&self) -> &'static str {
-        "state"
+        KIND
     }
 
     fn series(&mut self) -> Option<&mut Vec<PathBuf>> {
@@ -58,47 +59,88 @@ impl ResultWriter for StateFileOutput {
     }
 }
 
+impl ResultWriter<SpatialSimulation> for StateFileOutput {
+    fn after_step(&mut self, simulation: &SpatialSimulation) -> Result<(), OutputError> {
+        self.write_if_due(simulation.step_index(), |file| write_spatial_state(file, simulation))
+    }
+
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn series(&mut self) -> Option<&mut Vec<PathBuf>> {
+        Some(&mut self.written)
+    }
+
+    fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
+        Ok(self.written)
+    }
+}
+
+impl StateFileOutput {
+    fn write_if_due(
+        &mut self,
+        done: u64,
+        write: impl FnOnce(&mut Vec<u8>) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        if self.steps.contains(&done) {
+            let path = self.names.state(done);
+            save(&self.background, &path, write)?;
+            self.written.push(path);
+        }
+        Ok(())
+    }
+}
+
 /// Writes the state after the last completed step: per node coordinates,
 /// velocity, force of the last evaluation, mass, boundary flag and node set;
 /// per element its property code and nodes. Numbers read back to the same bits.
 ///
 /// # Errors
 /// If `output` refuses.
-pub fn write_state(mut output: impl Write, simulation: &Simulation) -> io::Result<()> {
-    let scene = simulation.scene();
+pub fn write_state(output: impl Write, simulation: &Simulation) -> io::Result<()> {
+    let progress = (simulation.step_index(), simulation.time());
+    write_scene(output, simulation.scene(), progress, simulation.forces(), simulation.masses())
+}
+
+/// The same in three dimensions. Forces are those of tetrahedra and contact; those of joints are
+/// added when nodes move, as in the original.
+///
+/// # Errors
+/// If `output` refuses.
+pub fn write_spatial_state(output: impl Write, simulation: &SpatialSimulation) -> io::Result<()> {
+    let progress = (simulation.step_index(), simulation.time());
+    write_scene(output, simulation.scene(), progress, simulation.forces(), simulation.masses())
+}
+
+fn write_scene<const D: usize>(
+    mut output: impl Write,
+    scene: &Scene<D>,
+    (step, time): (u64, f64),
+    forces: &[SVector<f64, D>],
+    masses: &[f64],
+) -> io::Result<()> {
     let (nodes, elements) = (&scene.nodes, &scene.elements);
     writeln!(
         output,
-        "# steps_done {} time {:e} nnopo {} nelem {}",
-        simulation.step_index(),
-        simulation.time(),
+        "# steps_done {step} time {time:e} nnopo {} nelem {}",
         nodes.len(),
         elements.len()
     )?;
-    writeln!(output, "# node: id x y vx vy fx fy mass boundary_flag property")?;
+    let columns = if D == 2 { "x y vx vy fx fy" } else { "x y z vx vy vz fx fy fz" };
+    writeln!(output, "# node: id {columns} mass boundary_flag property")?;
     for n in 0..nodes.len() {
-        let (x, v, f) = (nodes.current[n], nodes.velocity[n], simulation.forces()[n]);
-        writeln!(
-            output,
-            "{n} {:e} {:e} {:e} {:e} {:e} {:e} {:e} {} {}",
-            x.x,
-            x.y,
-            v.x,
-            v.y,
-            f.x,
-            f.y,
-            simulation.masses()[n],
-            nodes.boundary_flag[n],
-            nodes.set[n]
-        )?;
+        write!(output, "{n}")?;
+        for vector in [&nodes.current[n], &nodes.velocity[n], &forces[n]] {
+            for component in vector {
+                write!(output, " {component:e}")?;
+            }
+        }
+        writeln!(output, " {:e} {} {}", masses[n], nodes.boundary_flag[n], nodes.set[n])?;
     }
     writeln!(output, "# element: id property nodes...")?;
     for e in 0..elements.len() {
-        let code = scene.conventions.property_code(
-            elements.property[e],
-            elements.joint_kind[e],
-            scene.materials.len(),
-        );
+        let code = scene.property_code(e);
         write!(output, "{e} {code}")?;
         for row in 0..elements.table_rows {
             write!(output, " {}", elements.nodes[e].get(row).copied().unwrap_or(-1))?;

@@ -5,82 +5,29 @@
 //! force evaluation, in double precision.
 
 use super::{
-    Background, OutputError, OutputNames, ResultWriter, background::lock, bodies::body_of_elements,
-    decode, encode, present,
+    Background, OutputError, OutputNames, ResultWriter,
+    bodies::body_of_elements,
+    vtu_series::{self, VtuSeries},
 };
 use crate::{
     mechanics::{Vec2, softening_triangle, triangle},
     scene::ElementKind,
     simulation::{JointView, Simulation, joint_views},
 };
-use serde::{Deserialize, Serialize};
-use std::{
-    path::PathBuf,
-    sync::{Arc, Mutex},
-};
+use std::path::PathBuf;
 use ypsilon_converters::{
     stress_measures::{SymmetricTensor, plane, principal, tresca, von_mises},
-    vtk::{CellType, Cells, DataArray, PvdSeries, UnstructuredGrid, write_vtu},
+    vtk::{CellType, Cells, DataArray, UnstructuredGrid},
 };
 
-/// Name of the joint block in file names.
-const JOINTS: &str = "_joints";
-
-/// A file of the series: its time, its part of the picture with number and name, its name.
-#[derive(Clone, Serialize, Deserialize)]
-struct Entry(f64, u32, String, String);
-
 /// Writes a VTU file per block and output step, and the PVD after each step.
-pub struct VtuOutput {
-    names: OutputNames,
-    background: Background,
-    /// The files that are complete.
-    series: Arc<Mutex<PvdSeries>>,
-    /// What the series holds.
-    entries: Vec<Entry>,
-    files: Vec<PathBuf>,
-}
+pub struct VtuOutput(VtuSeries);
 
 impl VtuOutput {
     /// Output named by `names`.
     #[must_use]
     pub fn new(names: &OutputNames, background: &Background) -> Self {
-        Self {
-            names: names.clone(),
-            background: background.clone(),
-            series: Arc::default(),
-            entries: Vec::new(),
-            files: Vec::new(),
-        }
-    }
-
-    /// What is to be written of a block.
-    fn frame(
-        &mut self,
-        (part, number, label): (&str, u32, &str),
-        simulation: &Simulation,
-        grid: UnstructuredGrid,
-    ) -> Frame {
-        let path = self.names.vtu(part, simulation.step_index());
-        let file = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-        let entry = Entry(simulation.time(), number, label.to_owned(), file);
-        self.entries.push(entry.clone());
-        self.files.push(path.clone());
-        Frame { path, entry, grid }
-    }
-}
-
-/// A file to be written.
-struct Frame {
-    path: PathBuf,
-    entry: Entry,
-    grid: UnstructuredGrid,
-}
-
-impl Entry {
-    fn add_to(&self, series: &mut PvdSeries) {
-        let Self(time, number, label, file) = self;
-        series.push(*time, *number, label, file);
+        Self(VtuSeries::new(names, background))
     }
 }
 
@@ -89,29 +36,18 @@ impl ResultWriter for VtuOutput {
         if !simulation.is_output_step() {
             return Ok(());
         }
-        let mut frames = vec![self.frame(("", 0, "bodies"), simulation, body_grid(simulation))];
         let joints: Vec<JointView> = joint_views(simulation).collect();
-        if !joints.is_empty() {
-            let grid = joint_grid(simulation, &joints);
-            frames.push(self.frame((JOINTS, 1, "joints"), simulation, grid));
-        }
-        let (series, pvd) = (Arc::clone(&self.series), self.names.pvd());
-        self.background.submit(move || {
-            let mut series = lock(&series);
-            for Frame { path, entry, grid } in frames {
-                write_vtu(&path, &grid)?;
-                entry.add_to(&mut series);
-            }
-            Ok(series.write(&pvd)?)
-        })
+        let joints = (!joints.is_empty()).then(|| joint_grid(simulation, &joints));
+        let (step, time) = (simulation.step_index(), simulation.time());
+        self.0.write(step, time, body_grid(simulation), joints)
     }
 
     fn kind(&self) -> &'static str {
-        "vtu"
+        vtu_series::KIND
     }
 
     fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
-        encode(self.kind(), &self.entries)
+        self.0.mark()
     }
 
     fn resume(
@@ -120,26 +56,11 @@ impl ResultWriter for VtuOutput {
         names: &OutputNames,
         _simulation: &Simulation,
     ) -> Result<(), OutputError> {
-        let mut series = lock(&self.series);
-        for entry in decode::<Vec<Entry>>(self.kind(), mark)? {
-            let mut path = present(names, std::slice::from_ref(&entry.3))?;
-            self.files.append(&mut path);
-            entry.add_to(&mut series);
-            self.entries.push(entry);
-        }
-        if !self.entries.is_empty() {
-            // the earlier run may have gone further
-            series.write(&names.pvd())?;
-        }
-        Ok(())
+        self.0.resume(mark, names)
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
-        let mut files = self.files;
-        if !files.is_empty() {
-            files.push(self.names.pvd());
-        }
-        Ok(files)
+        Ok(self.0.finish())
     }
 }
 
@@ -221,7 +142,7 @@ fn stress(simulation: &Simulation, element: usize) -> SymmetricTensor {
                 let damage = scene.elements.state[m.damage_row as usize][element];
                 (1.0 - softening_triangle::loss(damage)) * volumetric
             }
-            ElementKind::RigidTriangle | ElementKind::Inert(_) => 0.0,
+            ElementKind::RigidTriangle | ElementKind::Tetrahedron | ElementKind::Inert(_) => 0.0,
         }
     });
     plane(s[(0, 0)], s[(1, 1)], zz, s[(0, 1)])

@@ -1,4 +1,4 @@
-use crate::mechanics::triangle;
+use crate::mechanics::{tetrahedron, triangle};
 use nalgebra::{Matrix2, SMatrix};
 
 /// What a node set prescribes along one local axis.
@@ -49,6 +49,14 @@ impl NodeSet<2> {
         let axes = &self.axes;
         let determinant = axes[(0, 0)] * axes[(1, 1)] - axes[(1, 0)] * axes[(0, 1)];
         triangle::inverse(axes, determinant)
+    }
+}
+
+impl NodeSet<3> {
+    /// Inverse of the matrix of the local axes.
+    #[must_use]
+    pub fn inverse_axes(&self) -> SMatrix<f64, 3, 3> {
+        tetrahedron::inverse(&self.axes, tetrahedron::determinant(&self.axes))
     }
 }
 
@@ -118,6 +126,20 @@ impl LoadHistory {
             }
         }
         factor
+    }
+
+    /// Factor of node set `set` at `time` in 3D (spec `y2d3d.md` F.3): linear between the points,
+    /// the first interval that begins at `time` or before it and ends later; of a single point
+    /// its value. `None` outside the table, where the original stops.
+    #[must_use]
+    pub fn factor_within(&self, set: usize, time: f64) -> Option<f64> {
+        if let [(_, factor)] = self.points[set][..] {
+            return Some(factor);
+        }
+        self.points[set].windows(2).find_map(|pair| {
+            let ((t0, f0), (t1, f1)) = (pair[0], pair[1]);
+            (t0 <= time && time < t1).then(|| f0 + (f1 - f0) * (time - t0) / (t1 - t0))
+        })
     }
 
     /// Whether the table is in force: the original ignores it if the first

@@ -51,6 +51,26 @@ pub enum FrictionModel {
     BartonBandis,
 }
 
+/// Which faces of two tetrahedra are pressed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum PressedFaces {
+    /// Those of the element with the higher number, as in the original (spec `y2d3d.md` E.4).
+    #[default]
+    Contactor,
+    /// Those of both, and the energy of each body counts: forces are the gradient of a potential
+    /// and do not depend on the numbering.
+    Both,
+}
+
+/// Contact of tetrahedra beyond the original's law. The default is that law.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub struct SpatialContact {
+    /// Which faces are pressed.
+    pub pressed: PressedFaces,
+    /// Whether Coulomb friction acts, with tangential penalty and friction coefficient of the pair.
+    pub has_friction: bool,
+}
+
 /// Settings of contact detection and of the couple list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactSettings {
@@ -68,4 +88,6 @@ pub struct ContactSettings {
     pub friction: FrictionModel,
     /// Sliding of the couple slots at the start, m².
     pub initial_sliding: Vec<[f64; 6]>,
+    /// Contact of tetrahedra.
+    pub spatial: SpatialContact,
 }

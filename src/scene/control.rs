@@ -9,9 +9,9 @@ pub struct Control {
     pub time_step: f64,
     /// Physical time at the first step, s.
     pub start_time: f64,
-    /// Acceleration of gravity along y, m/s² (negative: downwards). The
-    /// original ignores the x component in 2D.
-    pub gravity: f64,
+    /// Acceleration of gravity, m/s² (y negative: downwards). In 2D only the y component acts,
+    /// as in the original.
+    pub gravity: [f64; 3],
     /// A result state is written at every step whose index is a multiple of this.
     pub output_interval: u64,
     /// Another interval once joints have broken (Y-Geo).

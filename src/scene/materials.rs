@@ -9,6 +9,8 @@ pub enum ElementKind {
     RigidTriangle,
     /// Triangle whose stiffness softens with its largest stretch; no contact.
     SofteningTriangle,
+    /// Elastic constant-strain tetrahedron (3D).
+    Tetrahedron,
     /// A type code without mechanics: no force, no mass, no contact.
     Inert(i64),
 }
@@ -17,7 +19,7 @@ impl ElementKind {
     /// Whether elements of this kind can touch others.
     #[must_use]
     pub fn takes_part_in_contact(self) -> bool {
-        matches!(self, Self::ElasticTriangle | Self::RigidTriangle)
+        matches!(self, Self::ElasticTriangle | Self::RigidTriangle | Self::Tetrahedron)
     }
 }
 
@@ -95,10 +97,10 @@ pub struct Material {
     pub damage_row: i32,
 }
 
-/// Joint property set: cohesive law of 2D joints.
+/// Joint property set: cohesive law.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CohesiveLaw {
-    /// Whether joints of this set carry forces (type code 3).
+    /// Whether joints of this set carry forces (type code 3, 23 in 3D).
     pub is_cohesive: bool,
     /// Tensile strength f_t, Pa.
     pub tensile_strength: f64,
@@ -125,6 +127,26 @@ pub struct CohesiveLaw {
     pub rock: RockJoint,
     /// Strengths across the layers of a layered material.
     pub layering: Option<Layering>,
+}
+
+/// Integration points of the joints between tetrahedra (spec `y2d3d.md` D.7, L.2).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum JointPoints {
+    /// Three; a joint fails when all have lost their strength.
+    #[default]
+    Three,
+    /// Seven; a joint fails when five have.
+    Seven,
+}
+
+/// Property code of joints between tetrahedra that have failed, in decks and state files.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum BrokenCode {
+    /// −1001 (the Windows program).
+    #[default]
+    Common,
+    /// Joint set minus 1000 (the published source).
+    BySet,
 }
 
 /// Strength of joints that depends on their direction: that of the law for

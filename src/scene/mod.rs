@@ -18,7 +18,9 @@ mod rock_joint;
 mod snapshots;
 
 pub use boundary::{Condition, InSituStress, LoadHistory, LoadRamp, NodeSet};
-pub use contact::{ContactSettings, FrictionModel, PairProperties, PairRow, PairRule};
+pub use contact::{
+    ContactSettings, FrictionModel, PairProperties, PairRow, PairRule, PressedFaces, SpatialContact,
+};
 pub use control::{Control, RefinedOutput};
 pub use conventions::{
     BROKEN_OFFSET, BondedPairs, ChainAfterDrop, CohesiveModel, ContactSelection, ContactSum,
@@ -26,10 +28,14 @@ pub use conventions::{
     SPLIT_FREE_EDGE, VolumetricShare,
 };
 pub use fracture_network::{Fracture, FractureNetwork, FractureTreatment, SeismicMethod};
-pub use from_deck::{BuildOutcome, Profile, from_deck, replay_settings, update_scene};
+pub use from_deck::{
+    BuildOutcome, Profile, from_deck, replay_settings, spatial_from_deck, update_scene,
+    update_spatial_scene,
+};
 pub use joint_restart::JointRestart;
 pub use materials::{
-    CohesiveLaw, ElasticLaw, ElementKind, Isotropy, Layering, Material, TransverseIsotropy,
+    BrokenCode, CohesiveLaw, ElasticLaw, ElementKind, Isotropy, JointPoints, Layering, Material,
+    TransverseIsotropy,
 };
 pub use mesh::{Elements, JointKind, Nodes};
 pub use meshing::{Combination, Insertion, JointPair};
@@ -37,14 +43,14 @@ pub use probes::{Probe, ProbeQuantity};
 pub use rock_joint::{InitialAperture, RockJoint};
 pub use snapshots::SnapshotSettings;
 
-/// A planar scene of the split dialect, ready to be simulated.
+/// A scene in `D` dimensions, ready to be simulated.
 ///
 /// Indices are 0-based deck numbers throughout. Property codes of elements:
 /// `0..materials.len()` is a continuum element of that material,
 /// `materials.len() + s` a joint of cohesive law `s`; which joints are intact
 /// says [`Elements::joint_kind`].
 #[derive(Debug, Clone)]
-pub struct Scene {
+pub struct Scene<const D: usize = 2> {
     /// Base name of the output files (spec `y2d3d.md` G.1).
     pub name: String,
     /// What the deck's program does in its own way.
@@ -52,7 +58,7 @@ pub struct Scene {
     /// Time stepping and output intervals.
     pub control: Control,
     /// Nodal state at the start.
-    pub nodes: Nodes<2>,
+    pub nodes: Nodes<D>,
     /// Elements at the start.
     pub elements: Elements,
     /// Material of each element property set.
@@ -60,7 +66,7 @@ pub struct Scene {
     /// Cohesive law of each joint property set.
     pub cohesive_laws: Vec<CohesiveLaw>,
     /// Boundary conditions of each node set.
-    pub node_sets: Vec<NodeSet<2>>,
+    pub node_sets: Vec<NodeSet<D>>,
     /// Load-time history of the node sets, if the deck has one.
     pub load_history: Option<LoadHistory>,
     /// Staged loading (classic).
@@ -77,6 +83,10 @@ pub struct Scene {
     pub joint_restart: Option<JointRestart>,
     /// Snapshots and restart decks (classic).
     pub snapshots: Option<SnapshotSettings>,
+    /// Integration of joints between tetrahedra (3D).
+    pub joint_points: JointPoints,
+    /// What becomes of the property code of such joints when they fail (3D).
+    pub broken_code: BrokenCode,
     /// Whether joints unload along another path than they soften (Y-Geo).
     pub hysteretic_joints: bool,
     /// Contact settings; `None` switches contact off.
@@ -90,11 +100,22 @@ pub struct Scene {
     pub probe_threshold: f64,
 }
 
-impl Scene {
+impl<const D: usize> Scene<D> {
     /// Material of an element; `None` for joints, live or broken.
     #[must_use]
     pub fn material_of(&self, element: usize) -> Option<&Material> {
         usize::try_from(self.elements.property[element]).ok().and_then(|p| self.materials.get(p))
+    }
+
+    /// Property code of an element as decks and state files show it.
+    #[must_use]
+    pub fn property_code(&self, element: usize) -> i32 {
+        let (property, kind) = (self.elements.property[element], self.elements.joint_kind[element]);
+        let materials = self.materials.len();
+        if self.broken_code == BrokenCode::BySet && kind == JointKind::Broken {
+            return property - materials as i32 - BROKEN_OFFSET;
+        }
+        self.conventions.property_code(property, kind, materials)
     }
 
     /// Factor on the amplitudes of a node set at `time`: that of the load-time history if it is
@@ -106,7 +127,9 @@ impl Scene {
             None => self.ramp.map_or(1.0, |ramp| ramp.factor(time)),
         }
     }
+}
 
+impl Scene {
     /// Whether a point (initial coordinates, m) lies strictly inside an elastic
     /// triangle.
     #[must_use]

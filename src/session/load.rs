@@ -1,8 +1,8 @@
 use crate::{
-    insertion::{self, CapacityError, Room},
+    insertion::{self, CapacityError, InsertionReport, Room},
     output::OutputNames,
-    scene::{Conventions, Profile, from_deck},
-    simulation::{Simulation, SolverOptions},
+    scene::{Conventions, Profile, Scene, from_deck, spatial_from_deck},
+    simulation::{AnySimulation, Simulation, SolverOptions, SpatialSimulation},
 };
 use std::{io, path::Path, path::PathBuf};
 use thiserror::Error;
@@ -25,7 +25,7 @@ pub struct LoadedDeck {
     /// Stages that end in `$YDOIT`; `None` where nothing runs.
     pub stages: Vec<Stage>,
     /// The first stage's simulation, meshed.
-    pub simulation: Option<Simulation>,
+    pub simulation: Option<AnySimulation>,
     /// Warnings and notes.
     pub findings: Vec<Diagnostic>,
 }
@@ -88,32 +88,73 @@ pub fn load(
         return fault(findings);
     }
     let names = OutputNames::new(path, Path::new(""));
-    let built = from_deck(&deck, &database, names.base(), profile);
-    findings.extend(built.findings.into_iter().map(|finding| anchored(finding, &deck, first)));
-    let Some(scene) = built.scene else { return fault(findings) };
-    let mut simulation = Simulation::with_options(scene, options);
-    if let Err(error) = simulation.prepare() {
-        let unmeshed = from_deck(&deck, &database, names.base(), profile).scene;
-        let room = unmeshed.and_then(|scene| insertion::room_needed(&scene));
-        findings.push(capacity_finding(&deck, &database, &error, room));
-        return fault(findings);
-    }
-    if simulation.insertion_report().is_some_and(|report| report.skipped_combination) {
-        findings.push(skipped_record(&deck, &database));
+    let found = |finding| anchored(finding, &deck, first);
+    let built = if is_spatial(&deck, &database) {
+        let built = spatial_from_deck(&deck, &database, names.base(), profile);
+        findings.extend(built.findings.into_iter().map(found));
+        built.scene.map(|scene| spatial(scene, options))
+    } else {
+        let built = from_deck(&deck, &database, names.base(), profile);
+        findings.extend(built.findings.into_iter().map(found));
+        built.scene.map(|scene| plane(scene, options))
+    };
+    let (simulation, report) = match built {
+        Some(Ok(built)) => built,
+        Some(Err(error)) => {
+            let room = if is_spatial(&deck, &database) {
+                let unmeshed = spatial_from_deck(&deck, &database, names.base(), profile).scene;
+                unmeshed.as_ref().and_then(insertion::room_needed_in_space)
+            } else {
+                let unmeshed = from_deck(&deck, &database, names.base(), profile).scene;
+                unmeshed.as_ref().and_then(insertion::room_needed)
+            };
+            findings.push(capacity_finding(&deck, &database, &error, room));
+            return fault(findings);
+        }
+        None => return fault(findings),
+    };
+    if report.is_some_and(|report| report.skipped_combination) {
+        findings.push(skipped_record(&deck, &database, &simulation));
     }
     let findings = findings.into_iter().map(|f| f.located(sources)).collect();
     Ok(LoadedDeck { simulation: Some(simulation), database, stages, findings, deck })
 }
 
+/// Whether the deck is one in space that can be simulated.
+fn is_spatial(deck: &Deck, database: &Database) -> bool {
+    deck.dialect() == Dialect::Split && database.integer("YDN/NNODIM") == 3
+}
+
+type Meshed = Result<(AnySimulation, Option<InsertionReport>), CapacityError>;
+
+fn plane(scene: Scene, options: SolverOptions) -> Meshed {
+    let mut simulation = Simulation::with_options(scene, options);
+    simulation.prepare()?;
+    let report = simulation.insertion_report();
+    Ok((AnySimulation::Plane(Box::new(simulation)), report))
+}
+
+fn spatial(scene: Scene<3>, options: SolverOptions) -> Meshed {
+    let mut simulation = SpatialSimulation::with_options(scene, options);
+    simulation.prepare()?;
+    let report = simulation.insertion_report();
+    Ok((AnySimulation::Spatial(Box::new(simulation)), report))
+}
+
 /// The finding that a record of the meshing table does nothing.
-fn skipped_record(deck: &Deck, database: &Database) -> Diagnostic {
+fn skipped_record(deck: &Deck, database: &Database, simulation: &AnySimulation) -> Diagnostic {
     let place = database.given("YDPM/I2PMSET").and_then(|item| deck.word_span(item));
     Diagnostic::warning(
         "scene::mesh-record",
         "a record of I2PMSET does nothing: elements of its last material cannot be meshed",
     )
     .at(place)
-    .expected("elastic (1) or rigid (2) triangles as the last material of each record")
+    .expected(match simulation {
+        AnySimulation::Plane(_) => {
+            "elastic (1) or rigid (2) triangles as the last material of each record"
+        }
+        AnySimulation::Spatial(_) => "tetrahedra (21) as the last material of each record",
+    })
 }
 
 /// What the deck does not give has no place: it is missed at the stage's `$YDOIT`.
@@ -174,6 +215,10 @@ pub(super) fn capacity_finding(
             .help(format!("with all its joints and mid nodes the mesh has {nodes} nodes and {elements} elements")),
         None => finding
             .expected(format!("{} of {} or more", error.keyword, error.needed))
-            .help(format!("raise /YD/{name}; joints need 3 nodes for each triangle and up to 3 more elements")),
+            .help(if database.integer("YDN/NNODIM") == 3 {
+                format!("raise /YD/{name}; joints need 4 nodes for each tetrahedron and up to 4 more elements")
+            } else {
+                format!("raise /YD/{name}; joints need 3 nodes for each triangle and up to 3 more elements")
+            }),
     }
 }

@@ -3,6 +3,7 @@
 
 mod checkpoint;
 mod load;
+mod model;
 mod observer;
 mod restage;
 mod resume;
@@ -14,6 +15,7 @@ mod writers;
 
 pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
 pub use load::{DeckFault, LoadedDeck, load};
+pub use model::SceneSize;
 pub use observer::{Observer, Progress, Silent};
 pub use run::{RunError, RunOptions, run, run_with};
 pub use scenario::{

@@ -1,4 +1,4 @@
-use super::{settle::SettlingSummary, summary::RunSummary};
+use super::{model::SceneSize, settle::SettlingSummary, summary::RunSummary};
 use crate::simulation::{SettlingOptions, SettlingProgress, Simulation};
 use std::path::Path;
 use yformat::{diagnostic::Diagnostic, source::SourceMap};
@@ -22,8 +22,8 @@ pub struct Progress {
 
 /// Somebody who watches a run and may stop it.
 pub trait Observer {
-    /// A stage of the deck begins.
-    fn stage_starts(&mut self, _deck: &str, _simulation: &Simulation, _steps: u64) {}
+    /// A stage of the deck begins, with so many steps to do of so many seconds each.
+    fn stage_starts(&mut self, _deck: &str, _size: SceneSize, _steps: u64, _time_step: f64) {}
 
     /// Findings about the deck.
     fn findings(&mut self, _findings: &[Diagnostic], _sources: &SourceMap) {}

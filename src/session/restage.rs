@@ -1,11 +1,8 @@
 //! Later `$YDOIT` stages: everything persists, a stage changes what it names
 //! (spec `deck.md` 1.5).
 
-use super::load::anchored;
-use crate::{
-    scene::{Profile, replay_settings, update_scene},
-    simulation::Simulation,
-};
+use super::{load::anchored, model::Model};
+use crate::scene::Profile;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeSet;
 use yformat::{
@@ -22,7 +19,7 @@ pub(super) struct Entry {
 }
 
 impl Entry {
-    pub fn of(simulation: &Simulation) -> Self {
+    pub fn of(simulation: &impl Model) -> Self {
         Self { step: simulation.step_index(), time: simulation.time() }
     }
 }
@@ -54,14 +51,12 @@ pub(super) fn replay(
     deck: &Deck,
     stage: &Stage,
     database: &mut Database,
-    simulation: &mut Simulation,
+    simulation: &mut impl Model,
     entry: Entry,
     profile: Profile,
 ) {
     let (_, named) = apply(deck, stage, database, entry);
-    let mut scene = simulation.scene().clone();
-    replay_settings(deck, database, &mut scene, &named, profile);
-    simulation.replay_stage(scene);
+    simulation.replay(deck, database, &named, profile);
 }
 
 /// Applies the items of a later stage to a simulation that has run; returns warnings and notes.
@@ -72,7 +67,7 @@ pub(super) fn restage(
     deck: &Deck,
     stage: &Stage,
     database: &mut Database,
-    simulation: &mut Simulation,
+    simulation: &mut impl Model,
     profile: Profile,
 ) -> Result<Vec<Diagnostic>, Vec<Diagnostic>> {
     let (mut findings, named) = apply(deck, stage, database, Entry::of(simulation));
@@ -80,13 +75,11 @@ pub(super) fn restage(
         findings.into_iter().map(|f| f.located(deck.sources())).collect::<Vec<_>>()
     };
     if !findings.iter().any(Diagnostic::is_error) {
-        let outcome = update_scene(deck, database, simulation.scene(), &named, profile);
-        findings.extend(outcome.findings.into_iter().map(|f| anchored(f, deck, stage)));
-        if let Some(scene) = outcome.scene.filter(|_| !findings.iter().any(Diagnostic::is_error)) {
-            let travel = named.contains("YDI/DIEDI").then(|| database.real("YDI/DIEDI"));
-            simulation.continue_with(scene, travel);
-            return Ok(located(findings));
-        }
+        let found = simulation.restage(deck, database, &named, profile);
+        findings.extend(found.into_iter().map(|f| anchored(f, deck, stage)));
     }
-    Err(located(findings))
+    if findings.iter().any(Diagnostic::is_error) {
+        return Err(located(findings));
+    }
+    Ok(located(findings))
 }

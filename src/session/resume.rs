@@ -3,11 +3,11 @@
 use super::{
     checkpoint::{Checkpoint, CheckpointError, DeckPrint, Position},
     load::LoadedDeck,
+    model::{Model, Writers},
     restage::replay,
     run::{RunError, RunOptions},
-    writers::open_writers,
 };
-use crate::output::{Background, OutputNames, ResultWriter};
+use crate::output::{Background, OutputNames};
 use yformat::database::Database;
 
 /// More steps, and more triangles times steps, than any run does.
@@ -18,17 +18,17 @@ const MOST_COUNTED: u64 = 1 << 60;
 ///
 /// # Errors
 /// If the checkpoint is not one of this deck or result files are not as they were left.
-pub(super) fn resume(
+pub(super) fn resume<M: Model>(
     checkpoint: &Checkpoint,
     loaded: &mut LoadedDeck,
+    simulation: &mut M,
     options: &RunOptions,
     names: &OutputNames,
     background: &Background,
-) -> Result<(Position, Vec<Box<dyn ResultWriter>>), RunError> {
+) -> Result<(Position, Writers<M>), RunError> {
     let other_deck = || CheckpointError::OtherDeck { deck: options.deck.clone() };
     let mut position = checkpoint.position.clone();
-    let LoadedDeck { deck, database, stages, simulation, .. } = loaded;
-    let simulation = simulation.as_mut().ok_or_else(other_deck)?;
+    let LoadedDeck { deck, database, stages, .. } = loaded;
     let entered = position.ends.len();
     if DeckPrint::of(deck) != checkpoint.deck
         || !(1..=stages.len()).contains(&entered)
@@ -42,15 +42,15 @@ pub(super) fn resume(
         replay(deck, &stages[index], database, simulation, *entry, options.profile);
         check_end(&position, index, database)?;
     }
-    simulation.restore(checkpoint.state.clone()).map_err(CheckpointError::from)?;
-    let (step, end) = (simulation.step_index(), simulation.scene().control.end_step);
+    simulation.load(checkpoint.state.clone()).map_err(CheckpointError::from)?;
+    let (step, end) = (simulation.step_index(), simulation.control().end_step);
     if end < step {
         return Err(CheckpointError::Passed { step, end }.into());
     }
     if let Some(last) = position.ends.last_mut() {
         *last = database.integer("YDC/MCSTEP");
     }
-    let mut writers = open_writers(options, names, background, simulation, true)?;
+    let mut writers = simulation.writers(options, names, background, true)?;
     let kinds: Vec<&str> = checkpoint.marks.iter().map(|(kind, _)| kind.as_str()).collect();
     if !writers.iter().map(|writer| writer.kind()).eq(kinds.iter().copied()) {
         let was = kinds.join(", ");

@@ -2,12 +2,12 @@ use super::{
     Format,
     checkpoint::{Checkpoint, CheckpointError, Checkpoints, DeckPrint, Position, RunSettings},
     load::{LoadedDeck, capacity_finding},
+    model::Model,
     observer::{Observer, Progress},
     restage::{Entry, restage},
     resume::resume,
     settle,
     summary::{RunSummary, StopReason},
-    writers::open_writers,
 };
 use crate::{
     output::{
@@ -15,7 +15,7 @@ use crate::{
         table_row,
     },
     scene::Profile,
-    simulation::{SettlingFault, SettlingOptions, Simulation, StressUse},
+    simulation::{AnySimulation, SettlingFault, SettlingOptions},
 };
 use std::{
     io::Write as _,
@@ -114,18 +114,64 @@ pub fn run_with(
     checkpoints: Checkpoints,
     observer: &mut dyn Observer,
 ) -> Result<RunSummary, RunError> {
+    match loaded.simulation.take() {
+        Some(AnySimulation::Plane(simulation)) => {
+            run_model(loaded, *simulation, options, checkpoints, observer)
+        }
+        Some(AnySimulation::Spatial(simulation)) => {
+            run_model(loaded, *simulation, options, checkpoints, observer)
+        }
+        None => run_nothing(&loaded, options, &checkpoints, observer),
+    }
+}
+
+/// A deck in which nothing runs leaves the log of its words.
+fn run_nothing(
+    loaded: &LoadedDeck,
+    options: &RunOptions,
+    checkpoints: &Checkpoints,
+    observer: &mut dyn Observer,
+) -> Result<RunSummary, RunError> {
+    let (names, warnings) = start(loaded, options, checkpoints, observer)?;
+    if checkpoints.resume.is_some() {
+        return Err(CheckpointError::OtherDeck { deck: options.deck.clone() }.into());
+    }
+    let mut log = RunTable::create(&names.log())?;
+    for line in loaded.deck.echo_lines().iter().chain(&warnings) {
+        log.line(line)?;
+    }
+    Ok(empty_summary(options, warnings))
+}
+
+/// The names of the results, in a folder that is there, and the warnings about the deck.
+fn start(
+    loaded: &LoadedDeck,
+    options: &RunOptions,
+    checkpoints: &Checkpoints,
+    observer: &mut dyn Observer,
+) -> Result<(OutputNames, Vec<String>), RunError> {
     let names = OutputNames::new(&options.deck, &options.folder);
-    settle::check_start(options, checkpoints.resume.is_some(), loaded.simulation.as_ref())?;
     std::fs::create_dir_all(&options.folder).map_err(OutputError::io(&options.folder))?;
-    check_names(&names, &checkpoints)?;
+    check_names(&names, checkpoints)?;
     observer.findings(&loaded.findings, loaded.deck.sources());
-    let warnings: Vec<String> = loaded.findings.iter().map(ToString::to_string).collect();
+    Ok((names, loaded.findings.iter().map(ToString::to_string).collect()))
+}
+
+fn run_model<M: Model>(
+    mut loaded: LoadedDeck,
+    mut simulation: M,
+    options: &RunOptions,
+    checkpoints: Checkpoints,
+    observer: &mut dyn Observer,
+) -> Result<RunSummary, RunError> {
+    settle::check_start(options, checkpoints.resume.is_some(), Some(&simulation))?;
+    let (names, warnings) = start(&loaded, options, &checkpoints, observer)?;
     let background = Background::new();
     let (resumed_at, mut here, mut writers, log) = match &checkpoints.resume {
         Some(checkpoint) => {
             let step = checkpoint.step_index();
             let (position, writers) =
-                resume(checkpoint, &mut loaded, options, &names, &background)?;
+                resume(checkpoint, &mut loaded, &mut simulation, options, &names, &background)?;
             let log = match position.log {
                 Some(log) => RunTable::resume(&names.log(), log)?,
                 None => RunTable::create(&names.log())?,
@@ -134,21 +180,11 @@ pub fn run_with(
         }
         None => {
             let log = RunTable::create(&names.log())?;
-            let writers = match &loaded.simulation {
-                Some(simulation) => open_writers(options, &names, &background, simulation, false)?,
-                None => Vec::new(),
-            };
+            let writers = simulation.writers(options, &names, &background, false)?;
             (None, Position { warnings, ..Position::default() }, writers, log)
         }
     };
     let warnings = std::mem::take(&mut here.warnings);
-    let mut log = log;
-    if loaded.simulation.is_none() {
-        for line in loaded.deck.echo_lines().iter().chain(&warnings) {
-            log.line(line)?;
-        }
-        return Ok(empty_summary(options, warnings));
-    }
     if checkpoints.are_written() {
         // better refused before the run than after it
         for writer in &mut writers {
@@ -173,15 +209,15 @@ pub fn run_with(
         resumed_at,
         last_checkpoint: None,
     };
-    let (simulation, outcome) = session.run_stages(loaded);
+    let outcome = session.run_stages(loaded, &mut simulation);
     session.complete(&simulation, outcome, &names)
 }
 
-struct Session<'a> {
+struct Session<'a, M> {
     options: &'a RunOptions,
     observer: &'a mut dyn Observer,
     log: RunTable,
-    writers: Vec<Box<dyn ResultWriter>>,
+    writers: Vec<Box<dyn ResultWriter<M>>>,
     /// Where the writers' files are written.
     background: Background,
     warnings: Vec<String>,
@@ -211,77 +247,71 @@ enum StageEnd {
     Interrupted,
 }
 
-impl Session<'_> {
-    fn run_stages(&mut self, loaded: LoadedDeck) -> (Simulation, Result<StopReason, RunError>) {
-        let LoadedDeck { deck, mut database, stages, simulation, .. } = loaded;
-        let Some(mut simulation) = simulation else {
-            unreachable!("a run without simulation ends before its stages");
-        };
-        if self.options.monitors.needs_contact_forces() {
-            simulation.watch_contact_forces();
-        }
-        simulation.keep_stresses(StressUse::OutputSteps);
-        let outcome = (|| {
-            // a run that goes on from a checkpoint has entered this many already
-            let entered = self.here.ends.len();
-            let mut read = 0;
-            for (index, stage) in stages.iter().enumerate().skip(entered.saturating_sub(1)) {
-                read = stage.items.end;
-                let is_entered = index < entered;
-                if !is_entered {
-                    self.echo(&deck, stage.items.clone())?;
-                }
-                if is_entered {
-                    // its settings are in force, and its findings have been said
-                } else if index == 0 {
-                    for warning in &self.warnings {
-                        self.log.line(warning)?;
-                    }
-                    self.log.line(TABLE_HEADER)?;
-                } else {
-                    let profile = self.options.profile;
-                    self.here.entries.push(Entry::of(&simulation));
-                    let findings = restage(&deck, stage, &mut database, &mut simulation, profile)
-                        .and_then(|found| match simulation.prepare() {
-                            Ok(()) => Ok(found),
-                            Err(e) => Err(vec![capacity_finding(&deck, &database, &e, None)]),
-                        })
-                        .map_err(|findings| {
-                            let sources = Box::new(deck.sources().clone());
-                            RunError::Stage { sources, findings }
-                        })?;
-                    self.report_new(&findings, deck.sources())?;
-                }
-                for writer in &mut self.writers {
-                    writer.begin_stage(&deck, &database)?;
-                }
-                if !is_entered {
-                    self.here.ends.push(database.integer("YDC/MCSTEP"));
-                }
-                if index == 0 && !is_entered && self.options.settling.is_some() {
-                    self.here.settling =
-                        settle::settle(self.options, &mut simulation, self.observer)?;
-                    if self.here.settling.is_none() {
-                        return Ok(StopReason::Interrupted);
-                    }
-                    // the speed of a run is that of its steps
-                    self.started = Instant::now();
-                }
-                let end = self.run_stage(&mut simulation)?;
-                let is_last = index + 1 == stages.len();
-                if self.checkpoints.at_end && (end != StageEnd::Done || is_last) {
-                    self.write_checkpoint(&simulation)?;
-                }
-                match end {
-                    StageEnd::Done => {}
-                    StageEnd::Enough => break,
-                    StageEnd::Interrupted => return Ok(StopReason::Interrupted),
-                }
+impl<M: Model> Session<'_, M> {
+    fn run_stages(
+        &mut self,
+        loaded: LoadedDeck,
+        simulation: &mut M,
+    ) -> Result<StopReason, RunError> {
+        let LoadedDeck { deck, mut database, stages, .. } = loaded;
+        simulation.begin(self.options);
+        // a run that goes on from a checkpoint has entered this many already
+        let entered = self.here.ends.len();
+        let mut read = 0;
+        for (index, stage) in stages.iter().enumerate().skip(entered.saturating_sub(1)) {
+            read = stage.items.end;
+            let is_entered = index < entered;
+            if !is_entered {
+                self.echo(&deck, stage.items.clone())?;
             }
-            self.echo(&deck, read..deck.items().len())?;
-            Ok(StopReason::Finished)
-        })();
-        (simulation, outcome)
+            if is_entered {
+                // its settings are in force, and its findings have been said
+            } else if index == 0 {
+                for warning in &self.warnings {
+                    self.log.line(warning)?;
+                }
+                self.log.line(TABLE_HEADER)?;
+            } else {
+                let profile = self.options.profile;
+                self.here.entries.push(Entry::of(simulation));
+                let findings = restage(&deck, stage, &mut database, simulation, profile)
+                    .and_then(|found| match simulation.mesh() {
+                        Ok(()) => Ok(found),
+                        Err(e) => Err(vec![capacity_finding(&deck, &database, &e, None)]),
+                    })
+                    .map_err(|findings| {
+                        let sources = Box::new(deck.sources().clone());
+                        RunError::Stage { sources, findings }
+                    })?;
+                self.report_new(&findings, deck.sources())?;
+            }
+            for writer in &mut self.writers {
+                writer.begin_stage(&deck, &database)?;
+            }
+            if !is_entered {
+                self.here.ends.push(database.integer("YDC/MCSTEP"));
+            }
+            if index == 0 && !is_entered && self.options.settling.is_some() {
+                self.here.settling = simulation.settle(self.options, self.observer)?;
+                if self.here.settling.is_none() {
+                    return Ok(StopReason::Interrupted);
+                }
+                // the speed of a run is that of its steps
+                self.started = Instant::now();
+            }
+            let end = self.run_stage(simulation)?;
+            let is_last = index + 1 == stages.len();
+            if self.checkpoints.at_end && (end != StageEnd::Done || is_last) {
+                self.write_checkpoint(simulation)?;
+            }
+            match end {
+                StageEnd::Done => {}
+                StageEnd::Enough => break,
+                StageEnd::Interrupted => return Ok(StopReason::Interrupted),
+            }
+        }
+        self.echo(&deck, read..deck.items().len())?;
+        Ok(StopReason::Finished)
     }
 
     /// Reports what was not said about an earlier stage.
@@ -306,16 +336,17 @@ impl Session<'_> {
         items.filter_map(|item| deck.echo_of(item)).try_for_each(|line| self.log.line(&line))
     }
 
-    fn run_stage(&mut self, simulation: &mut Simulation) -> Result<StageEnd, RunError> {
-        let control = &simulation.scene().control;
-        let interval = control.table_interval;
+    fn run_stage(&mut self, simulation: &mut M) -> Result<StageEnd, RunError> {
+        let control = simulation.control();
+        let (interval, time_step) = (control.table_interval, control.time_step);
         let to_do = control.end_step.saturating_sub(simulation.step_index());
         let limit = self.options.steps.map_or(to_do, |n| to_do.min(n.saturating_sub(self.done)));
         let total = self.done + limit;
         let end = if limit < to_do { StageEnd::Enough } else { StageEnd::Done };
         let deck = self.options.deck.display().to_string();
-        self.observer.stage_starts(&deck, simulation, limit);
-        let triangles = simulation.triangles().count() as u64;
+        self.observer.stage_starts(&deck, simulation.size(), limit, time_step);
+        let bodies = simulation.bodies() as u64;
+        let mut has_notice = simulation.notice().is_some();
         for _ in 0..limit {
             if self.observer.wants_stop() {
                 return Ok(StageEnd::Interrupted);
@@ -329,17 +360,22 @@ impl Session<'_> {
                 let progress = self.progress(simulation, total);
                 self.observer.progress(&progress);
             }
-            simulation.evaluate_forces();
+            simulation.evaluate();
+            if !has_notice && let Some(notice) = simulation.notice() {
+                has_notice = true;
+                self.log.line(&notice)?;
+                self.warnings.push(notice);
+            }
             for writer in &mut self.writers {
                 writer.after_forces(simulation)?;
             }
-            simulation.move_bodies();
+            simulation.move_on();
             for writer in &mut self.writers {
                 writer.after_motion(simulation)?;
             }
-            simulation.complete_step();
+            simulation.complete();
             self.done += 1;
-            self.triangle_steps += triangles;
+            self.triangle_steps += bodies;
             for writer in &mut self.writers {
                 writer.after_step(simulation)?;
             }
@@ -354,7 +390,7 @@ impl Session<'_> {
     }
 
     /// Writes what a later run needs to go on from here, if it does not stand there already.
-    fn write_checkpoint(&mut self, simulation: &Simulation) -> Result<(), RunError> {
+    fn write_checkpoint(&mut self, simulation: &M) -> Result<(), RunError> {
         let step = simulation.step_index();
         if self.last_checkpoint == Some(step) {
             return Ok(());
@@ -382,7 +418,7 @@ impl Session<'_> {
                 log: Some(self.log.position()),
                 ..self.here.clone()
             },
-            state: simulation.state(),
+            state: simulation.save(),
             marks,
         };
         let path = self.names.checkpoint();
@@ -392,7 +428,7 @@ impl Session<'_> {
         Ok(())
     }
 
-    fn row(&mut self, simulation: &Simulation, total: u64) -> Result<(), RunError> {
+    fn row(&mut self, simulation: &M, total: u64) -> Result<(), RunError> {
         let progress = self.progress(simulation, total);
         let date = jiff::Zoned::now().strftime("%d/%m/%Y %H:%M:%S").to_string();
         let seconds = self.here.seconds + progress.seconds;
@@ -402,13 +438,13 @@ impl Session<'_> {
         check_stability(&progress)
     }
 
-    fn progress(&self, simulation: &Simulation, total: u64) -> Progress {
+    fn progress(&self, simulation: &M, total: u64) -> Progress {
         Progress {
             done: self.done,
             total,
             step: simulation.step_index(),
             time: simulation.time(),
-            kinetic_energy: simulation.sum_kinetic_energy(),
+            kinetic_energy: simulation.kinetic_energy(),
             seconds: self.started.elapsed().as_secs_f64(),
         }
     }
@@ -416,7 +452,7 @@ impl Session<'_> {
     /// Completes all files, also after a failure, and sums the run up.
     fn complete(
         self,
-        simulation: &Simulation,
+        simulation: &M,
         outcome: Result<StopReason, RunError>,
         names: &OutputNames,
     ) -> Result<RunSummary, RunError> {
@@ -434,23 +470,24 @@ impl Session<'_> {
         if let Some(error) = failure {
             return Err(error.into());
         }
-        let work = simulation.couple_work().unwrap_or_default();
+        let (work, size) = (simulation.contact_work(), simulation.size());
         let mut summary = RunSummary {
             stop,
             steps: self.here.steps + self.done,
             resumed_at: self.resumed_at,
             settling: self.here.settling,
             time: simulation.time(),
-            nodes: simulation.scene().nodes.len(),
-            triangles: simulation.triangles().count(),
-            broken_joints: simulation.failures().len(),
-            kinetic_energy: simulation.sum_kinetic_energy(),
+            nodes: size.nodes,
+            triangles: size.triangles,
+            tetrahedra: size.tetrahedra,
+            broken_joints: simulation.broken_joints(),
+            kinetic_energy: simulation.kinetic_energy(),
             seconds,
             triangle_steps_per_second: triangle_steps as f64 / seconds.max(1e-9),
             detections: work.detections,
             couples_evaluated: work.evaluated,
             couples_rested: work.rested,
-            phases: simulation.phase_times(),
+            phases: simulation.phases(),
             files,
             ..empty_summary(self.options, self.warnings)
         };
@@ -506,6 +543,7 @@ fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
         time: 0.0,
         nodes: 0,
         triangles: 0,
+        tetrahedra: 0,
         broken_joints: 0,
         kinetic_energy: 0.0,
         seconds: 0.0,

@@ -1,6 +1,7 @@
 //! Settling before the first step of a run.
 
 use super::{
+    model::Model,
     observer::Observer,
     run::{RunError, RunOptions},
 };
@@ -57,7 +58,7 @@ pub(super) fn settle(
 pub(super) fn check_start(
     options: &RunOptions,
     is_resumed: bool,
-    simulation: Option<&Simulation>,
+    simulation: Option<&impl Model>,
 ) -> Result<(), SettlingFault> {
     match (options.settling, simulation) {
         (Some(_), _) if is_resumed => Err(Unsettleable::Resumed.into()),

@@ -30,13 +30,16 @@ pub struct RunSummary {
     pub nodes: usize,
     /// Triangles at the end.
     pub triangles: usize,
+    /// Tetrahedra at the end.
+    #[serde(default)]
+    pub tetrahedra: usize,
     /// Joints that failed.
     pub broken_joints: usize,
     /// Kinetic energy at the end, J.
     pub kinetic_energy: f64,
     /// Wall-clock seconds of the step loop, output included.
     pub seconds: f64,
-    /// Triangle-steps per second.
+    /// Triangles, or tetrahedra in 3D, times steps per second.
     pub triangle_steps_per_second: f64,
     /// Contact detections.
     pub detections: u64,

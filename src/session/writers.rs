@@ -4,9 +4,10 @@ use super::{Format, run::RunOptions};
 use crate::{
     output::{
         Background, D3plotOutput, HistoryOutput, MonitorOutput, OutputError, OutputNames,
-        RestartDeckOutput, ResultWriter, SnapshotOutput, StateFileOutput, VtuOutput, YGeoOutput,
+        RestartDeckOutput, ResultWriter, SnapshotOutput, SpatialD3plotOutput, SpatialVtuOutput,
+        StateFileOutput, VtuOutput, YGeoOutput,
     },
-    simulation::Simulation,
+    simulation::{Simulation, SpatialSimulation},
 };
 use yformat::{d3plot::StartDate, dialect::Dialect};
 
@@ -23,7 +24,7 @@ pub(super) fn open_writers(
     let formats = Format::expand(&options.formats, simulation.scene().conventions.dialect);
     if formats.contains(&Format::Yh) {
         writers.push(Box::new(match is_resumed {
-            false => HistoryOutput::open(names, simulation)?,
+            false => HistoryOutput::open(names, simulation.scene())?,
             true => HistoryOutput::closed(),
         }));
     }
@@ -41,13 +42,8 @@ pub(super) fn open_writers(
         writers.push(Box::new(YGeoOutput::new(names, background)));
     }
     if formats.contains(&Format::D3plot) {
-        let today = jiff::Zoned::now().date();
-        let start = StartDate {
-            day: today.day().unsigned_abs(),
-            month: today.month().unsigned_abs(),
-            year: today.year().unsigned_abs(),
-        };
-        writers.push(Box::new(D3plotOutput::new(names, background, start, options.legacy_d3plot)));
+        let legacy = options.legacy_d3plot;
+        writers.push(Box::new(D3plotOutput::new(names, background, today(), legacy)));
     }
     if formats.contains(&Format::Vtu) {
         writers.push(Box::new(VtuOutput::new(names, background)));
@@ -63,4 +59,47 @@ pub(super) fn open_writers(
         )));
     }
     Ok(writers)
+}
+
+/// The same in three dimensions.
+pub(super) fn open_in_space(
+    options: &RunOptions,
+    names: &OutputNames,
+    background: &Background,
+    simulation: &SpatialSimulation,
+    is_resumed: bool,
+) -> Result<Vec<Box<dyn ResultWriter<SpatialSimulation>>>, OutputError> {
+    if let Some(monitor) = options.monitors.monitors.first() {
+        return Err(OutputError::MonitorInSpace { name: monitor.name.clone() });
+    }
+    let mut writers: Vec<Box<dyn ResultWriter<SpatialSimulation>>> = Vec::new();
+    let formats = Format::expand(&options.formats, simulation.scene().conventions.dialect);
+    if formats.contains(&Format::Yh) {
+        writers.push(Box::new(match is_resumed {
+            false => HistoryOutput::open(names, simulation.scene())?,
+            true => HistoryOutput::closed(),
+        }));
+    }
+    if formats.contains(&Format::D3plot) {
+        let legacy = options.legacy_d3plot;
+        writers.push(Box::new(SpatialD3plotOutput::new(names, background, today(), legacy)));
+    }
+    if formats.contains(&Format::Vtu) {
+        writers.push(Box::new(SpatialVtuOutput::new(names, background)));
+    }
+    if !options.states.is_empty() {
+        let states = options.states.iter().copied();
+        writers.push(Box::new(StateFileOutput::new(names, background, states)));
+    }
+    Ok(writers)
+}
+
+/// The date for the title of a d3plot family.
+fn today() -> StartDate {
+    let today = jiff::Zoned::now().date();
+    StartDate {
+        day: today.day().unsigned_abs(),
+        month: today.month().unsigned_abs(),
+        year: today.year().unsigned_abs(),
+    }
 }

@@ -21,6 +21,7 @@ mod phases;
 mod plan;
 mod probe_values;
 mod settling;
+mod spatial;
 mod state;
 mod state_check;
 mod view;
@@ -47,6 +48,7 @@ pub use phases::PhaseTimes;
 pub use settling::{
     Settled, SettlingFault, SettlingOptions, SettlingOutcome, SettlingProgress, Unsettleable,
 };
+pub use spatial::{FaceFailure, FaceJointView, SpatialSimulation, SpatialState, face_joint_views};
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
@@ -62,6 +64,35 @@ pub struct SolverOptions {
 impl Default for SolverOptions {
     fn default() -> Self {
         Self { skip_separated_couples: true, team: Team::alone() }
+    }
+}
+
+/// A simulation in the plane or in space.
+#[derive(Debug, Clone)]
+pub enum AnySimulation {
+    /// Of triangles.
+    Plane(Box<Simulation>),
+    /// Of tetrahedra.
+    Spatial(Box<SpatialSimulation>),
+}
+
+impl AnySimulation {
+    /// The simulation if it is one in the plane.
+    #[must_use]
+    pub fn into_plane(self) -> Option<Simulation> {
+        match self {
+            Self::Plane(simulation) => Some(*simulation),
+            Self::Spatial(_) => None,
+        }
+    }
+
+    /// The simulation if it is one in space.
+    #[must_use]
+    pub fn into_spatial(self) -> Option<SpatialSimulation> {
+        match self {
+            Self::Spatial(simulation) => Some(*simulation),
+            Self::Plane(_) => None,
+        }
     }
 }
 

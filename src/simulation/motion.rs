@@ -86,7 +86,7 @@ impl Motion<'_> {
     /// Nobody else moves nodes of this part meanwhile.
     unsafe fn advance(&self, set: usize, runs: &[Range<u32>], part: &Range<u32>) {
         let control = &self.scene.control;
-        let (dt, gravity) = (control.time_step, control.gravity);
+        let (dt, gravity) = (control.time_step, control.gravity[1]);
         let factor = self.scene.load_factor(set, self.time);
         let drive = Drive::new(&self.scene.node_sets[set], factor, gravity, dt);
         let free = Free { amplitudes: drive.amplitudes, gravity, dt };

@@ -44,6 +44,15 @@ pub struct SimulationState {
 #[error("the state is not one of this scene: {0}")]
 pub struct StateFault(pub(super) &'static str);
 
+impl StateFault {
+    /// A state of triangles for tetrahedra, or the other way round.
+    pub const OTHER_DIMENSION: Self = Self("it has another number of dimensions");
+
+    pub(in crate::simulation) fn new(fault: &'static str) -> Self {
+        Self(fault)
+    }
+}
+
 impl SimulationState {
     /// Index of the step that comes next.
     #[must_use]

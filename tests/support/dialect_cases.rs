@@ -13,7 +13,11 @@ use std::{
         atomic::{AtomicUsize, Ordering},
     },
 };
-use ypsilon::{scene::Profile, session::load, simulation::SolverOptions};
+use ypsilon::{
+    scene::Profile,
+    session::load,
+    simulation::{AnySimulation, SolverOptions},
+};
 
 /// Whether bits have to be equal, not only close.
 const BITS: bool = cfg!(all(target_os = "linux", target_arch = "x86_64", target_env = "gnu"));
@@ -65,7 +69,8 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
     let deck = folder.join(format!("{name}.y"));
     let loaded = load(&deck, None, Profile::Windows, SolverOptions::default())
         .map_err(|fault| format!("{fault:?}"))?;
-    let mut simulation = loaded.simulation.ok_or("nothing runs")?;
+    let mut simulation =
+        loaded.simulation.and_then(AnySimulation::into_plane).ok_or("nothing runs")?;
     let mut reports = Vec::new();
     for step in steps(folder)? {
         while simulation.step_index() < step {

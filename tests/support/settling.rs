@@ -56,7 +56,7 @@ pub fn waited(scene: &Scene, rise: u64) -> (Simulation, u64) {
         if steps <= rise + INTERVAL && rise > 0 {
             let t = (steps as f64 / rise as f64).min(1.0);
             let mut scene = simulation.scene().clone();
-            scene.control.gravity = gravity * t * t * (3.0 - 2.0 * t);
+            scene.control.gravity[1] = gravity[1] * t * t * (3.0 - 2.0 * t);
             scene.control.first_step = simulation.step_index();
             scene.control.start_time = simulation.time();
             simulation.continue_with(scene, None);
@@ -95,7 +95,7 @@ pub fn ratio(simulation: &Simulation) -> f64 {
         }
         let apart = simulation.contact_forces().get(n).copied().unwrap_or_default();
         let internal = simulation.forces()[n] + apart;
-        let load = [set.amplitudes[0], set.amplitudes[1] + scene.control.gravity * mass];
+        let load = [set.amplitudes[0], set.amplitudes[1] + scene.control.gravity[1] * mass];
         let part = |k: usize| if free[k] { [internal[k] + load[k], load[k]] } else { [0.0; 2] };
         let [x, y] = [part(0), part(1)];
         largest = largest.max(x[0].hypot(y[0]));

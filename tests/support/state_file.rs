@@ -2,28 +2,33 @@
 
 use std::{fs, io, path::Path};
 
+/// State in the plane: x y vx vy fx fy mass of each node.
+pub type StateFile = States<7>;
+/// State in space: x y z vx vy vz fx fy fz mass of each node.
+pub type SpatialStateFile = States<10>;
+
 /// Node and element lines of a state file.
 #[derive(Debug, Clone)]
-pub struct StateFile {
-    /// x y vx vy fx fy mass of each node.
-    pub nodes: Vec<[f64; 7]>,
+pub struct States<const N: usize> {
+    /// Coordinates, velocity, force and mass of each node.
+    pub nodes: Vec<[f64; N]>,
     /// Boundary flag and set of each node.
     pub flags: Vec<[i64; 2]>,
     /// Number, property and nodes of each element.
     pub elements: Vec<Vec<i64>>,
 }
 
-impl PartialEq for StateFile {
+impl<const N: usize> PartialEq for States<N> {
     /// Equal to the last bit, the sign of zeros included.
     fn eq(&self, other: &Self) -> bool {
-        let bits = |s: &Self| -> Vec<[u64; 7]> {
+        let bits = |s: &Self| -> Vec<[u64; N]> {
             s.nodes.iter().map(|row| row.map(f64::to_bits)).collect()
         };
         bits(self) == bits(other) && self.flags == other.flags && self.elements == other.elements
     }
 }
 
-impl StateFile {
+impl<const N: usize> States<N> {
     /// Reads a file.
     pub fn read(path: &Path) -> io::Result<Self> {
         let bad = |line: &str| {
@@ -80,9 +85,10 @@ impl Differences {
 }
 
 /// Compares two states.
-pub fn compare(reference: &StateFile, candidate: &StateFile) -> Differences {
+pub fn compare<const N: usize>(reference: &States<N>, candidate: &States<N>) -> Differences {
+    let dimension = (N - 1) / 3;
     let worst = |columns: std::ops::Range<usize>| {
-        let values = |s: &StateFile| -> Vec<f64> {
+        let values = |s: &States<N>| -> Vec<f64> {
             s.nodes.iter().flat_map(|row| row[columns.clone()].to_vec()).collect()
         };
         let (a, b) = (values(reference), values(candidate));
@@ -96,10 +102,10 @@ pub fn compare(reference: &StateFile, candidate: &StateFile) -> Differences {
         a.iter().zip(&b).map(far).fold(0.0, f64::max)
     };
     Differences {
-        coordinates: worst(0..2),
-        velocities: worst(2..4),
-        forces: worst(4..6),
-        masses: worst(6..7),
+        coordinates: worst(0..dimension),
+        velocities: worst(dimension..2 * dimension),
+        forces: worst(2 * dimension..3 * dimension),
+        masses: worst(3 * dimension..N),
         structure_agrees: reference.nodes.len() == candidate.nodes.len()
             && reference.flags == candidate.flags
             && reference.elements == candidate.elements,

@@ -1,19 +1,19 @@
 use super::{Reader, reader::Offenders, ygeo};
 use crate::scene::{
     ContactSelection, ContactSettings, Conventions, ElementKind, FrictionModel, Insertion,
-    PairRule, Scene,
+    PairRule, Scene, SpatialContact,
 };
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// Sliding states that a couple needs: one for each edge of its two triangles.
 const SLIDING_STATES: i64 = 6;
 
-pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
+pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Option<ContactSettings> {
     if reader.integer("YDI/MICOUP") <= 0 {
         return None;
     }
     let states = reader.integer("YDI/MISTATE");
-    if reader.knows("YDI/MISTATE") && states < SLIDING_STATES {
+    if dimension == 2 && reader.knows("YDI/MISTATE") && states < SLIDING_STATES {
         reader.report(
             Diagnostic::warning(
                 "scene::sliding-states",
@@ -50,6 +50,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<ContactSettings> {
         initial_sliding: (0..slots)
             .map(|slot| std::array::from_fn(|k| sliding.map_or(0.0, |f| f.get2(k, slot))))
             .collect(),
+        spatial: SpatialContact::default(),
     })
 }
 
@@ -80,7 +81,7 @@ fn pair_rule(reader: &mut Reader<'_>) -> PairRule {
 }
 
 /// Checks that need the whole scene.
-pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     let Some(contact) = &scene.contact else { return };
     let touches = |e: usize| scene.material_of(e).is_some_and(|m| m.kind.takes_part_in_contact());
     let tagged = |e: usize| {
@@ -89,7 +90,8 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
             _ => flag == 1,
         };
         let flagged = |n: usize| counts(scene.nodes.boundary_flag[n]);
-        scene.elements.contact_tag[e] > 0 || scene.elements.corners::<3>(e).into_iter().any(flagged)
+        scene.elements.contact_tag[e] > 0
+            || scene.elements.nodes[e][..=D].iter().any(|&n| flagged(n as usize))
     };
     let candidates = (0..scene.elements.len()).filter(|&e| touches(e)).count();
     let part = (0..scene.elements.len()).filter(|&e| touches(e) && tagged(e)).count();
@@ -127,14 +129,18 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     match contact.pairs {
         PairRule::SmallerOfEach => {
             check_penalties(reader, scene);
-            check_tangential_penalties(reader, scene);
+            if D == 2 {
+                check_tangential_penalties(reader, scene);
+            } else {
+                check_friction(reader, scene);
+            }
         }
         PairRule::InterfaceFriction => check_penalties(reader, scene),
         PairRule::Table(_) => {}
     }
 }
 
-fn check_penalties(reader: &mut Reader<'_>, scene: &Scene) {
+fn check_penalties<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     let used = |set: usize| scene.elements.property.contains(&(set as i32));
     let sets = scene.materials.len();
     let missing = |set: usize| {
@@ -160,7 +166,26 @@ fn check_penalties(reader: &mut Reader<'_>, scene: &Scene) {
     }
 }
 
-fn check_tangential_penalties(reader: &mut Reader<'_>, scene: &Scene) {
+/// In 3D contact has no friction.
+fn check_friction<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
+    let frictional = |set: usize| scene.materials[set].friction != 0.0;
+    if let Some(found) = Offenders::find(scene.materials.len(), frictional) {
+        reader.report(
+            Diagnostic::warning(
+                "scene::no-effect",
+                format!(
+                    "the friction of material {} has no effect: contact is frictionless in 3D{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader.entry("YDPE/D1PEFR", found.first))
+            .expected("0, as in the original bodies slide freely on each other in 3D"),
+        );
+    }
+}
+
+fn check_tangential_penalties<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     let used = |set: usize| scene.elements.property.contains(&(set as i32));
     let sets = scene.materials.len();
     let frictional = |set: usize| {

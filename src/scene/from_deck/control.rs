@@ -2,7 +2,7 @@ use super::Reader;
 use crate::scene::{Control, RefinedOutput};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
-pub(super) fn read(reader: &mut Reader<'_>) -> Control {
+pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Control {
     let time_step = reader.real("YDC/DCSTEC");
     if time_step <= 0.0 {
         reader.report(
@@ -31,7 +31,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         );
     }
     let sideways = reader.real("YDC/DCGRAX");
-    if sideways != 0.0 {
+    if sideways != 0.0 && dimension == 2 {
         reader.report(
             Diagnostic::warning(
                 "scene::no-effect",
@@ -60,7 +60,7 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Control {
         end_step: steps(end),
         time_step,
         start_time: reader.real("YDC/DCTIME"),
-        gravity: reader.real("YDC/DCGRAY"),
+        gravity: ["YDC/DCGRAX", "YDC/DCGRAY", "YDC/DCGRAZ"].map(|name| reader.real(name)),
         output_interval: steps(reader.integer("YDC/ICOUTF")).max(1),
         refined_output: (reader.integer("YDC/ICOUTRF") > 0).then(|| RefinedOutput {
             interval: steps(reader.integer("YDC/ICOUTRF")),

@@ -13,6 +13,7 @@ const MOST_ROWS: usize = 32;
 
 pub(super) fn read(
     reader: &mut Reader<'_>,
+    dimension: usize,
     nodes: usize,
     materials: usize,
     laws: usize,
@@ -26,9 +27,10 @@ pub(super) fn read(
     }
     let corner = |e: usize, i: usize| topology.get2(i, e);
     // without materials their count or types are wrong, which has been reported
-    if check_topology(reader, topology, len, nodes) && materials > 0 {
-        let is_joint = |e| corner(e, 3) >= 0;
-        check_properties(reader, len, |e| property.get1(e), is_joint, materials, laws);
+    if check_topology(reader, dimension, topology, len, nodes) && materials > 0 {
+        // joints have more nodes than bodies
+        let is_joint = |e| corner(e, dimension + 1) >= 0;
+        check_properties(reader, dimension, len, |e| property.get1(e), is_joint, materials, laws);
     }
     let tag = reader.integers("YDE/I1ELBE", -1);
     let rows = usize::try_from(reader.integer("YDE/MELNO")).unwrap_or(0);
@@ -53,20 +55,22 @@ pub(super) fn read(
         sides: vec![[-1; 2]; len],
     };
     if reader.database.dialect() != Dialect::Classic {
-        name_joints(&mut elements, reader.database.dialect());
+        name_joints(&mut elements, reader.database.dialect(), dimension);
     }
     Some(elements)
 }
 
 /// Says of each joint of the deck whether it holds: the codes of the property
 /// sets tell it.
-pub(super) fn name_joints(elements: &mut Elements, dialect: Dialect) {
+pub(super) fn name_joints(elements: &mut Elements, dialect: Dialect, dimension: usize) {
     for e in 0..elements.len() {
-        let [a, b, c, d, ..] = elements.nodes[e];
+        let nodes = elements.nodes[e];
+        let [a, b, c, d, ..] = nodes;
+        let is_closed = if dimension == 3 { nodes[..3] == nodes[3..] } else { (a, b) == (d, c) };
         let property = &mut elements.property[e];
-        elements.joint_kind[e] = match (d >= 0, *property) {
+        elements.joint_kind[e] = match (nodes[dimension + 1] >= 0, *property) {
             (false, _) => JointKind::NoJoint,
-            (true, _) if (a, b) == (d, c) => JointKind::FreeEdge,
+            (true, _) if is_closed => JointKind::FreeEdge,
             (true, SPLIT_FREE_EDGE) => JointKind::FreeEdge,
             (true, SPLIT_BROKEN) if dialect == Dialect::Split => JointKind::Broken,
             (true, code) if code < 0 && dialect == Dialect::YGeo => {
@@ -78,25 +82,41 @@ pub(super) fn name_joints(elements: &mut Elements, dialect: Dialect) {
     }
 }
 
+/// What the elements that are no joints are.
+fn body_name(dimension: usize, plural: bool) -> &'static str {
+    match (dimension, plural) {
+        (3, false) => "tetrahedron",
+        (3, true) => "tetrahedra",
+        (_, false) => "triangle",
+        (_, true) => "triangles",
+    }
+}
+
 fn check_topology(
     reader: &mut Reader<'_>,
+    dimension: usize,
     topology: &Field<i64>,
     len: usize,
     nodes: usize,
 ) -> bool {
     let rows = topology.given_shape().first().copied().unwrap_or(0);
-    if rows < 3 {
+    let corners = dimension + 1;
+    let bodies = body_name(dimension, true);
+    if rows < corners {
         reader.report(
             Diagnostic::error(
                 "scene::short-array",
                 format!("YDE/I2ELTO gives {rows} nodes for each element"),
             )
             .at(reader.length("YDE/I2ELTO", 0))
-            .expected("3 nodes for each triangle, after the header `21 3 <number of elements>`"),
+            .expected(format!(
+                "{corners} nodes for each {}, after the header `21 {corners} <number of elements>`",
+                body_name(dimension, false)
+            )),
         );
         return false;
     }
-    for i in 0..3 {
+    for i in 0..corners {
         let wrong = |e: usize| !(0..nodes as i64).contains(&topology.get2(i, e));
         if let Some(found) = Offenders::find(len, wrong) {
             let node = topology.get2(i, found.first);
@@ -117,20 +137,30 @@ fn check_topology(
             return false;
         }
     }
-    let wrong = |e: usize| topology.get2(3, e) >= nodes as i64;
-    if let Some(found) = Offenders::find(if rows > 3 { len } else { 0 }, wrong) {
-        reader.report(
-            Diagnostic::error(
-                "scene::node-number",
-                format!(
-                    "element {} has a fourth node that does not exist{}",
-                    found.first,
-                    found.more()
-                ),
+    // joints give all their nodes, bodies no more than their corners
+    let most = if dimension == 3 { 6 } else { 4 };
+    let given = |e: usize| (corners..most).filter(|&i| topology.get2(i, e) >= 0).count();
+    let wrong = |e: usize| {
+        let beyond = |i| topology.get2(i, e) >= nodes as i64;
+        (corners..most).any(beyond) || !(given(e) == 0 || given(e) == most - corners)
+    };
+    if let Some(found) = Offenders::find(if rows > corners { len } else { 0 }, wrong) {
+        let fault = if dimension == 2 {
+            format!("element {} has a fourth node that does not exist{}", found.first, found.more())
+        } else {
+            format!(
+                "element {} is neither tetrahedron nor joint: its fifth and sixth node do not exist or are not both given{}",
+                found.first,
+                found.more()
             )
-            .at(reader.entry_at("YDE/I2ELTO", [3, found.first, 0]))
-            .expected(format!("-1 for triangles, {} for joints", numbers_of(nodes)))
-            .help("the element table needs only 3 rows: give `21 3 <number of elements>`"),
+        };
+        reader.report(
+            Diagnostic::error("scene::node-number", fault)
+            .at(reader.entry_at("YDE/I2ELTO", [corners, found.first, 0]))
+            .expected(format!("-1 for {bodies}, {} for joints", numbers_of(nodes)))
+            .help(format!(
+                "the element table needs only {corners} rows: give `21 {corners} <number of elements>`"
+            )),
         );
         return false;
     }
@@ -140,6 +170,7 @@ fn check_topology(
 /// Reports elements whose property does not exist.
 pub(super) fn check_properties(
     reader: &mut Reader<'_>,
+    dimension: usize,
     len: usize,
     property: impl Fn(usize) -> i64,
     is_joint: impl Fn(usize) -> bool,
@@ -173,7 +204,7 @@ pub(super) fn check_properties(
             )
         } else {
             let what = if numbering == Dialect::Classic { "a" } else { "an element" };
-            ("triangle", format!("{what} property set: {}", numbers_of(materials)))
+            (body_name(dimension, false), format!("{what} property set: {}", numbers_of(materials)))
         };
         reader.report(
             Diagnostic::error(

@@ -1,7 +1,7 @@
 //! Shapes: clockwise and flat triangles, nodes used twice, and whether the
 //! time step can be stable.
 
-use super::{Reader, reader::Offenders};
+use super::{Reader, classic_use, probes, reader::Offenders};
 use crate::{
     mechanics::{Vec2, triangle::double_area},
     scene::{ElementKind, Scene},
@@ -11,7 +11,36 @@ use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 /// Twice the area over the squared longest edge, below which a triangle is flat.
 const FLAT: f64 = 1e-12;
 
-pub(super) fn check(reader: &mut Reader<'_>, scene: &Scene) {
+/// Checks that depend on what the bodies of a scene are made of.
+pub(super) trait Shapes {
+    /// Of the shapes of its elements.
+    fn check_shapes(&self, reader: &mut Reader<'_>);
+    /// Of what lies where in a new scene.
+    fn check_places(&self, reader: &mut Reader<'_>);
+    /// What else is to be checked in later stages.
+    fn check_again(&self, reader: &mut Reader<'_>);
+}
+
+impl Shapes for Scene {
+    fn check_shapes(&self, reader: &mut Reader<'_>) {
+        check(reader, self);
+    }
+
+    fn check_places(&self, reader: &mut Reader<'_>) {
+        probes::check_use(reader, self);
+        if reader.is_classic() {
+            classic_use::check(reader, self);
+        }
+    }
+
+    fn check_again(&self, reader: &mut Reader<'_>) {
+        if reader.is_classic() {
+            classic_use::check_again(reader, self);
+        }
+    }
+}
+
+fn check(reader: &mut Reader<'_>, scene: &Scene) {
     let triangles: Vec<usize> =
         (0..scene.elements.len()).filter(|&e| scene.material_of(e).is_some()).collect();
     let corners = |e: usize, x: &[Vec2]| scene.elements.corners::<3>(e).map(|n| x[n]);
@@ -119,9 +148,6 @@ fn warn_of_clockwise(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]
     );
 }
 
-/// Smallest time that an elastic wave takes across a triangle: its smallest
-/// height over the speed of compression waves. Explicit integration needs a
-/// time step below about this; it grows without bound beyond.
 fn check_time_step(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) {
     let mut critical: Option<(f64, usize)> = None;
     for &e in triangles {
@@ -138,13 +164,25 @@ fn check_time_step(reader: &mut Reader<'_>, scene: &Scene, triangles: &[usize]) 
             critical = Some((crossing, e));
         }
     }
-    let Some((critical, element)) = critical else { return };
-    let dt = scene.control.time_step;
+    if let Some((critical, element)) = critical {
+        compare_time_step(
+            reader,
+            scene.control.time_step,
+            critical,
+            &format!("triangle {element}"),
+        );
+    }
+}
+
+/// Warns of a time step beyond the smallest time that an elastic wave takes across an element:
+/// its smallest height over the speed of compression waves. Explicit integration needs a
+/// time step below about this; it grows without bound beyond.
+pub(super) fn compare_time_step(reader: &mut Reader<'_>, dt: f64, critical: f64, element: &str) {
     if dt > critical {
         reader.report(
             Diagnostic::warning(
                 "scene::unstable-time-step",
-                format!("the time step {dt:e} s is longer than an elastic wave takes across triangle {element}, {critical:.3e} s"),
+                format!("the time step {dt:e} s is longer than an elastic wave takes across {element}, {critical:.3e} s"),
             )
             .at(reader.place("YDC/DCSTEC"))
             .expected(format!("a time step below {critical:.2e} s"))

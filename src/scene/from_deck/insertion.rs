@@ -1,8 +1,12 @@
-use super::{Reader, classic, joints, nodes::to_i32, reader::numbers_of};
+use super::{Reader, classic, joints, nodes::to_i32, reader::numbers_of, solids};
 use crate::scene::{Combination, Insertion, Interfaces, JointPair, Material, Scene};
 use yformat::{database::Field, diagnostic::Diagnostic, source::Span};
 
-pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<Insertion> {
+pub(super) fn read(
+    reader: &mut Reader<'_>,
+    dimension: usize,
+    materials: &[Material],
+) -> Option<Insertion> {
     // without materials their count or types are wrong, which has been reported
     if materials.is_empty() {
         return None;
@@ -14,7 +18,9 @@ pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<In
     let columns = usize::try_from(reader.integer("YDPM/MPMCOL")).unwrap_or(0);
     let records = table.given_shape().get(1).copied().unwrap_or(0);
     let combinations: Vec<Combination> = (0..records)
-        .filter_map(|record| combination(reader, table, record, columns, materials.len()))
+        .filter_map(|record| {
+            combination(reader, dimension, table, record, columns, materials.len())
+        })
         .collect();
     let rows = reader.integer_field("YDPM/I2PMIJ").filter(|f| f.item().is_some());
     let count = rows.map_or(0, |f| f.given_shape().get(1).copied().unwrap_or(0));
@@ -35,12 +41,13 @@ pub(super) fn read(reader: &mut Reader<'_>, materials: &[Material]) -> Option<In
         node_capacity: capacity("YDN/MNOPO"),
         element_capacity: capacity("YDE/MELEM"),
     };
-    check(reader, &insertion);
+    check(reader, dimension, &insertion);
     Some(insertion)
 }
 
 fn combination(
     reader: &mut Reader<'_>,
+    dimension: usize,
     table: &Field<i64>,
     record: usize,
     columns: usize,
@@ -79,7 +86,11 @@ fn combination(
         return None;
     }
     let place = reader.entry_at("YDPM/I2PMSET", [1, record, 0]);
-    check_digits(reader, code, place);
+    if dimension == 3 {
+        solids::check_digits(reader, code, place);
+    } else {
+        check_digits(reader, code, place);
+    }
     Some(Combination { code, materials: listed.into_iter().map(|m| m as usize).collect() })
 }
 
@@ -90,9 +101,9 @@ const MOST_MATERIAL: i64 = 1 << 30;
 const MOST_TRIANGLES: u64 = i32::MAX as u64 / 3;
 
 /// Checks that need the whole scene.
-pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     let Some(insertion) = &scene.insertion else { return };
-    for (record, combination) in insertion.combinations.iter().enumerate() {
+    for (record, combination) in insertion.combinations.iter().enumerate().filter(|_| D == 2) {
         let triangles = combination.refined(scene.elements.len() as u64);
         if triangles > MOST_TRIANGLES {
             reader.report(
@@ -143,7 +154,7 @@ pub(super) fn check_digits(reader: &mut Reader<'_>, code: i64, place: Option<Spa
     }
 }
 
-fn check(reader: &mut Reader<'_>, insertion: &Insertion) {
+fn check(reader: &mut Reader<'_>, dimension: usize, insertion: &Insertion) {
     let Some(record) = insertion.combinations.iter().position(Combination::inserts_joints) else {
         return;
     };
@@ -159,6 +170,10 @@ fn check(reader: &mut Reader<'_>, insertion: &Insertion) {
                 "a table of joint sets: MPMROW and I2PMIJ with rows `materialA materialB jointset`",
             ),
         );
+        return;
+    }
+    if dimension == 3 {
+        // missing rows are looked for face by face
         return;
     }
     let joined = |m: usize| insertion.pairs.iter().any(|p| p.materials == [m as i32; 2]);

@@ -1,9 +1,9 @@
 use super::{
-    Reader, classic,
+    Profile, Reader, classic,
     reader::{Offenders, numbers_of},
     ygeo,
 };
-use crate::scene::{CohesiveLaw, CohesiveModel, RockJoint, Scene};
+use crate::scene::{BrokenCode, CohesiveLaw, CohesiveModel, JointPoints, RockJoint, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// What cohesive laws are called in findings.
@@ -20,7 +20,7 @@ const CLASSIC_ARRAYS: [&str; 7] = [
     "YDPE/D1PEFR",
 ];
 
-pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
+pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Vec<CohesiveLaw> {
     let len = reader.count_of_sets("YDPJ/NPJSET", "YDPJ/MPJSET", WHAT, 0);
     let real = |name| reader.reals(name, 0.0);
     let (ft, fs, gf) = (real("YDPJ/D1PJFT"), real("YDPJ/D1PJFS"), real("YDPJ/D1PJGF"));
@@ -33,12 +33,13 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
     let kind = reader.integers("YDPJ/I1PTYP", -1);
     (0..len)
         .map(|i| CohesiveLaw {
-            is_cohesive: kind(i) == 3,
+            is_cohesive: kind(i) == joint_type(dimension),
             tensile_strength: ft(i),
             shear_strength: fs(i),
             fracture_energy: gf(i),
             shear_fracture_energy: gs(i),
-            cohesion: co(i),
+            // joints between tetrahedra have neither cohesion nor friction
+            cohesion: if dimension == 3 { 0.0 } else { co(i) },
             friction: fr(i),
             residual_friction: if is_classic { residual(i) } else { 0.0 },
             penalty: pe(i),
@@ -49,8 +50,29 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<CohesiveLaw> {
         .collect()
 }
 
+/// Type code of joints that carry forces.
+fn joint_type(dimension: usize) -> i64 {
+    if dimension == 3 { 23 } else { 3 }
+}
+
+/// Integration of joints between tetrahedra: the Windows program always takes three points.
+pub(super) fn points(reader: &Reader<'_>, profile: Profile) -> JointPoints {
+    match (profile, reader.integer("YDPJ/NINTPT")) {
+        (Profile::Windows, _) | (Profile::Source, 3) => JointPoints::Three,
+        (Profile::Source, _) => JointPoints::Seven,
+    }
+}
+
+/// Code of failed joints: in the plane both programs have the same.
+pub(super) fn broken_code(dimension: usize, profile: Profile) -> BrokenCode {
+    match (dimension, profile) {
+        (3, Profile::Source) => BrokenCode::BySet,
+        _ => BrokenCode::Common,
+    }
+}
+
 /// Joint sets that elements of the deck have or that joint insertion can give.
-fn used_sets(scene: &Scene) -> Vec<usize> {
+fn used_sets<const D: usize>(scene: &Scene<D>) -> Vec<usize> {
     let first = scene.materials.len() as i32;
     let of_elements = scene.elements.property.iter().map(|&p| p - first);
     let inserting = scene.insertion.iter().filter(|i| i.inserts_joints());
@@ -69,7 +91,7 @@ fn used_sets(scene: &Scene) -> Vec<usize> {
 }
 
 /// Checks of the joint sets that are used.
-pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     if let Some(insertion) = scene.insertion.as_ref().filter(|i| i.inserts_joints())
         && let Some(row) = insertion.pairs.iter().position(|pair| pair.joint_set < 0)
     {
@@ -106,6 +128,17 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     if sets.is_empty() || !check_given(reader, scene) {
         return;
     }
+    if scene.broken_code == BrokenCode::BySet {
+        reader.report(
+            Diagnostic::warning(
+                "scene::profile",
+                "of the published source's 3D joints integration points and codes are followed; nodes of joints that fail are not marked as boundary nodes, and the tetrahedra beside them not made a couple",
+            )
+            .at(reader.word("YDPJ/NPJSET"))
+            .expected("`--profile windows`, which is followed in everything")
+            .help("results are those of the published source where all nodes are flagged as boundary nodes"),
+        );
+    }
     for &set in &sets {
         if scene.cohesive_laws[set].is_cohesive {
             check_law(reader, set, &scene.cohesive_laws[set]);
@@ -120,7 +153,7 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
 }
 
 /// Whether the deck gives all arrays that the cohesive law reads.
-fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
+fn check_given<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) -> bool {
     let laws = &scene.cohesive_laws;
     if reader.is_classic() {
         let needed = classic::sets_up_to(reader, &[classic::JOINT_TYPE]);
@@ -139,7 +172,8 @@ fn check_given(reader: &mut Reader<'_>, scene: &Scene) -> bool {
     given
 }
 
-fn report_type(reader: &mut Reader<'_>, set: usize, scene: &Scene) {
+fn report_type<const D: usize>(reader: &mut Reader<'_>, set: usize, scene: &Scene<D>) {
+    let kind = joint_type(D);
     let acts = reader.is_classic() && scene.cohesive_laws.iter().any(|law| law.is_cohesive);
     let (message, help) = if acts {
         (
@@ -149,9 +183,10 @@ fn report_type(reader: &mut Reader<'_>, set: usize, scene: &Scene) {
             ),
         )
     } else {
-        (format!("joint set {set} has not type 3: its joints carry nothing"), None)
+        (format!("joint set {set} has not type {kind}: its joints carry nothing"), None)
     };
-    let expected = format!("3, the type of 2D joints, in /YD/{}", reader.called("YDPJ/I1PTYP"));
+    let called = reader.called("YDPJ/I1PTYP");
+    let expected = format!("{kind}, the type of {D}D joints, in /YD/{called}");
     let finding = Diagnostic::warning("scene::joint-type", message)
         .at(reader.entry("YDPJ/I1PTYP", set).or_else(|| reader.word("YDPJ/NPJSET")))
         .expected(expected);

@@ -1,4 +1,4 @@
-use super::{Reader, classic, nodes::to_i32, reader::numbers_of, ygeo};
+use super::{Reader, classic, nodes::to_i32, reader::numbers_of, solids, ygeo};
 use crate::scene::{ElasticLaw, ElementKind, Material, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
@@ -7,7 +7,7 @@ const ELASTIC: [i64; 1] = [1];
 /// Types of triangles in the classic dialect.
 const TRIANGLES: [i64; 2] = [1, 2];
 
-pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
+pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Vec<Material> {
     let what = if reader.is_classic() { "property sets" } else { "element property sets" };
     let len = reader.count_of_sets("YDPE/NPROP", "YDPE/MPROP", what, 1);
     let kinds = reader.required_integers("YDPE/I1PTYP", what, len);
@@ -44,7 +44,11 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Vec<Material> {
     let damage_row = reader.integers("YDPE/I1PSDE", 0);
     (0..len)
         .map(|i| Material {
-            kind: kind(reader, i, kinds.get1(i)),
+            kind: if dimension == 3 {
+                solids::kind(reader, i, kinds.get1(i))
+            } else {
+                kind(reader, i, kinds.get1(i))
+            },
             elastic_law: elastic_law(reader, i, kinds.get1(i)),
             lame_lambda: lambda(i),
             shear_modulus: mu(i),
@@ -110,7 +114,7 @@ fn kind(reader: &mut Reader<'_>, set: usize, code: i64) -> ElementKind {
 }
 
 /// Checks that need to know which materials are used.
-pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     let reads_stretch = |m: &Material| {
         matches!(m.kind, ElementKind::ElasticTriangle | ElementKind::SofteningTriangle)
     };
@@ -161,7 +165,7 @@ pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
     }
 }
 
-fn check_softening(reader: &mut Reader<'_>, scene: &Scene, set: usize) {
+fn check_softening<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>, set: usize) {
     let material = &scene.materials[set];
     if material.softening_stretch <= 0.0 {
         reader.report(

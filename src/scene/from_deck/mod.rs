@@ -13,19 +13,22 @@ mod elements;
 mod geometry;
 mod insertion;
 mod joints;
+mod load_history;
 mod materials;
 mod names;
 mod node_sets;
 mod nodes;
 mod probes;
 mod reader;
+mod solids;
 mod unsupported;
 mod update;
 mod ygeo;
 
-pub use update::{replay_settings, update_scene};
+pub use update::{replay_settings, update_scene, update_spatial_scene};
 
 use super::{Conventions, Scene};
+use geometry::Shapes;
 use reader::Reader;
 use serde::{Deserialize, Serialize};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic, dialect::Dialect};
@@ -43,9 +46,9 @@ pub enum Profile {
 
 /// A scene, if the deck has no errors, and all findings.
 #[derive(Debug)]
-pub struct BuildOutcome {
+pub struct BuildOutcome<const D: usize = 2> {
     /// The scene; `None` if there is an error among the findings.
-    pub scene: Option<Scene>,
+    pub scene: Option<Scene<D>>,
     /// Errors, warnings and notes in the order of the checks.
     pub findings: Vec<Diagnostic>,
 }
@@ -54,6 +57,29 @@ pub struct BuildOutcome {
 /// `name` is the base name of the output files.
 #[must_use]
 pub fn from_deck(deck: &Deck, database: &Database, name: &str, profile: Profile) -> BuildOutcome {
+    outcome(deck, database, name, profile)
+}
+
+/// The same for a deck in three dimensions.
+#[must_use]
+pub fn spatial_from_deck(
+    deck: &Deck,
+    database: &Database,
+    name: &str,
+    profile: Profile,
+) -> BuildOutcome<3> {
+    outcome(deck, database, name, profile)
+}
+
+fn outcome<const D: usize>(
+    deck: &Deck,
+    database: &Database,
+    name: &str,
+    profile: Profile,
+) -> BuildOutcome<D>
+where
+    Scene<D>: Shapes,
+{
     let mut reader = Reader::new(deck, database);
     let scene = build(&mut reader, name, profile);
     let findings = reader.into_findings();
@@ -61,25 +87,29 @@ pub fn from_deck(deck: &Deck, database: &Database, name: &str, profile: Profile)
     BuildOutcome { scene: scene.filter(|_| !failed), findings }
 }
 
-fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene> {
+fn build<const D: usize>(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene<D>>
+where
+    Scene<D>: Shapes,
+{
     unsupported::check(reader);
     let conventions = Conventions::of(reader.database.dialect())?;
-    let control = control::read(reader);
+    let control = control::read(reader, D);
     let nodes = nodes::read(reader)?;
     let node_count = nodes.len();
-    let materials = materials::read(reader);
-    let cohesive_laws = joints::read(reader);
+    let materials = materials::read(reader, D);
+    let cohesive_laws = joints::read(reader, D);
     let is_classic = conventions.dialect == Dialect::Classic;
-    let mut elements = elements::read(reader, nodes.len(), materials.len(), cohesive_laws.len())?;
+    let mut elements =
+        elements::read(reader, D, nodes.len(), materials.len(), cohesive_laws.len())?;
     if is_classic {
         classic::name_joints(reader, &mut elements, materials.len());
     }
     let element_count = elements.len();
     let node_sets = node_sets::read(reader, profile);
-    let load_history = node_sets::read_load_history(reader, node_sets.len());
-    let contact = contact::read(reader);
-    let insertion = insertion::read(reader, &materials);
-    let (probes, probe_threshold) = probes::read(reader);
+    let load_history = load_history::read(reader, node_sets.len());
+    let contact = contact::read(reader, D);
+    let insertion = insertion::read(reader, D, &materials);
+    let (probes, probe_threshold) = probes::read(reader, D);
     let scene = Scene {
         name: name.to_owned(),
         conventions,
@@ -97,6 +127,8 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         in_situ: ygeo::in_situ(reader),
         fracture_network: ygeo::fracture_network(reader, node_count),
         seismic: ygeo::seismic(reader),
+        joint_points: joints::points(reader, profile),
+        broken_code: joints::broken_code(D, profile),
         hysteretic_joints: reader.integer("YDPJ/IUSEHY") != 0,
         contact,
         insertion,
@@ -107,13 +139,10 @@ fn build(reader: &mut Reader<'_>, name: &str, profile: Profile) -> Option<Scene>
         materials::check_use(reader, &scene);
         joints::check_use(reader, &scene);
         insertion::check_use(reader, &scene);
-        geometry::check(reader, &scene);
+        scene.check_shapes(reader);
         node_sets::check_use(reader, &scene);
         contact::check_use(reader, &scene);
-        probes::check_use(reader, &scene);
-        if is_classic {
-            classic_use::check(reader, &scene);
-        }
+        scene.check_places(reader);
     }
     Some(scene)
 }

@@ -1,24 +1,25 @@
 use super::{
-    Profile, Reader, classic,
+    Profile, Reader, classic, load_history,
     reader::{Offenders, numbers_of},
 };
 use crate::{
     TOLERANCE,
-    scene::{Condition, LoadHistory, NodeSet, Scene},
+    scene::{Condition, NodeSet, Scene},
 };
-use nalgebra::{Matrix2, Vector2};
+use nalgebra::{SMatrix, SVector};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
-pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>> {
+pub(super) fn read<const D: usize>(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<D>> {
     let len = reader.count_of_sets("YDPN/NPNSET", "YDPN/MPNSET", "node sets", 0);
     check_given(reader, len);
-    let codes = [reader.integers("YDPN/I1PNFX", -1), reader.integers("YDPN/I1PNFY", -1)];
+    let codes: [_; D] = std::array::from_fn(|k| reader.integers(CODES[k], -1));
     // the other programs have no default
     let unloaded = if reader.database.dialect() == Dialect::Split { 1.0 } else { 0.0 };
-    let amplitudes = [reader.reals("YDPN/D1PNAX", unloaded), reader.reals("YDPN/D1PNAY", unloaded)];
+    let amplitudes: [_; D] = std::array::from_fn(|k| reader.reals(AMPLITUDES[k], unloaded));
     let (pressure, traction) = (reader.reals("YDPN/D1PNAP", 0.0), reader.reals("YDPN/D1PNAT", 0.0));
-    let x_axis = [reader.reals("YDPN/D1PNXX", 1.0), reader.reals("YDPN/D1PNXY", 0.0)];
-    let y_axis = [reader.reals("YDPN/D1PNYX", 0.0), reader.reals("YDPN/D1PNYY", 1.0)];
+    let axis_components: [[_; D]; D] = std::array::from_fn(|a| {
+        std::array::from_fn(|k| reader.reals(AXES[a][k], if a == k { 1.0 } else { 0.0 }))
+    });
     let absorbs = absorbs(reader);
     let is_classic = reader.is_classic();
     let kind = reader.integers("YDPE/I1PTYP", 0);
@@ -29,13 +30,18 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
     );
     let sets = (0..len)
         .map(|set| {
-            let axes = [
-                Vector2::new(x_axis[0](set), x_axis[1](set)),
-                Vector2::new(y_axis[0](set), y_axis[1](set)),
-            ];
+            let axes = std::array::from_fn(|a| SVector::from_fn(|k, _| axis_components[a][k](set)));
+            // in 3D, nodes without code are free: forces act, but no load
+            let is_free = |k: usize| D == 3 && !(1..=3).contains(&codes[k](set));
             NodeSet {
-                conditions: [condition(codes[0](set), absorbs), condition(codes[1](set), absorbs)],
-                amplitudes: [amplitudes[0](set), amplitudes[1](set)],
+                conditions: std::array::from_fn(|k| {
+                    if is_free(k) { Condition::Force } else { condition(codes[k](set), absorbs) }
+                }),
+                amplitudes: std::array::from_fn(
+                    |k| {
+                        if is_free(k) { 0.0 } else { amplitudes[k](set) }
+                    },
+                ),
                 pressure: pressure(set),
                 traction: traction(set),
                 edge_factor: if is_classic { factor(set) } else { 1.0 },
@@ -43,18 +49,23 @@ pub(super) fn read(reader: &mut Reader<'_>, profile: Profile) -> Vec<NodeSet<2>>
                 axes: if moves(set) {
                     check_axes(reader, set, axes, profile)
                 } else {
-                    Matrix2::identity()
+                    SMatrix::identity()
                 },
                 moves: moves(set),
             }
         })
         .collect::<Vec<_>>();
-    check_codes(reader, &sets);
+    if D == 3 {
+        check_use_of_axes(reader, &sets);
+        check_edge_loads(reader, &sets);
+    } else {
+        check_codes(reader, &sets);
+    }
     check_amplitudes(reader, &sets);
     if is_classic {
         check_edge_factors(reader, &sets);
     } else {
-        note_edge_factors(reader, sets.len());
+        note_edge_factors(reader, D, sets.len());
     }
     sets
 }
@@ -74,7 +85,7 @@ fn check_given(reader: &mut Reader<'_>, len: usize) {
 }
 
 /// Pressure and traction are multiplied by a factor that is 0 where the deck gives none.
-fn check_edge_factors(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
+fn check_edge_factors<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
     let lost = |set: usize| {
         let set = &sets[set];
         (set.pressure != 0.0 || set.traction != 0.0)
@@ -110,18 +121,31 @@ fn check_edge_factors(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
     }
 }
 
-fn note_edge_factors(reader: &mut Reader<'_>, sets: usize) {
+fn note_edge_factors(reader: &mut Reader<'_>, dimension: usize, sets: usize) {
     let factor = reader.reals("YDPN/D1PNAF", 1.0);
     if let Some(found) = Offenders::find(sets, |set| factor(set) != 1.0) {
         reader.report(
             Diagnostic::note(
                 "scene::no-effect",
-                "D1PNAF has no effect in 2D: the load-time table replaces it",
+                if dimension == 2 {
+                    "D1PNAF has no effect in 2D: the load-time table replaces it"
+                } else {
+                    "D1PNAF has no effect in 3D"
+                },
             )
             .at(reader.entry("YDPN/D1PNAF", found.first)),
         );
     }
 }
+
+/// Codes, amplitudes and components of the local axes, by direction.
+const CODES: [&str; 3] = ["YDPN/I1PNFX", "YDPN/I1PNFY", "YDPN/I1PNFZ"];
+const AMPLITUDES: [&str; 3] = ["YDPN/D1PNAX", "YDPN/D1PNAY", "YDPN/D1PNAZ"];
+const AXES: [[&str; 3]; 3] = [
+    ["YDPN/D1PNXX", "YDPN/D1PNXY", "YDPN/D1PNXZ"],
+    ["YDPN/D1PNYX", "YDPN/D1PNYY", "YDPN/D1PNYZ"],
+    ["YDPN/D1PNZX", "YDPN/D1PNZY", "YDPN/D1PNZZ"],
+];
 
 /// Type of the property sets of nodes in the classic dialect's common table.
 const NODE_SET: i64 = -1;
@@ -141,34 +165,55 @@ fn condition(code: i64, absorbs: bool) -> Condition {
     }
 }
 
-fn check_axes(
+fn check_axes<const D: usize>(
     reader: &mut Reader<'_>,
     set: usize,
-    mut axes: [Vector2<f64>; 2],
+    mut axes: [SVector<f64, D>; D],
     profile: Profile,
-) -> Matrix2<f64> {
+) -> SMatrix<f64, D, D> {
     let place = |reader: &Reader<'_>| {
-        reader.entry("YDPN/D1PNXX", set).or_else(|| reader.entry("YDPN/D1PNYY", set))
+        (0..D).find_map(|k| reader.entry(AXES[k][k], set)).or_else(|| reader.word("YDPN/NPNSET"))
     };
-    let cross = axes[0].x * axes[1].y - axes[0].y * axes[1].x;
-    if cross.abs() < TOLERANCE {
+    if spanned(&axes).abs() < TOLERANCE {
+        let label: Vec<String> = axes
+            .iter()
+            .zip(["x", "y", "z"])
+            .map(|(axis, name)| format!("{name} {}", words(axis)))
+            .collect();
+        let (space, wanted, all) = if D == 2 {
+            (
+                "the plane",
+                "two",
+                "give the x axis with D1PNXX and D1PNXY, the y axis with D1PNYX and D1PNYY; without them they are those of the scene",
+            )
+        } else {
+            (
+                "space",
+                "three",
+                "give the x axis with D1PNXX, D1PNXY and D1PNXZ, the y axis with D1PNYX, ..., the z axis with D1PNZX, ...; without them they are those of the scene",
+            )
+        };
         reader.report(
             Diagnostic::error(
                 "scene::axes",
-                format!("the local axes of node set {set} do not span the plane"),
+                format!("the local axes of node set {set} do not span {space}"),
             )
             .at(place(reader))
-            .label(format!("x ({}, {}), y ({}, {})", axes[0].x, axes[0].y, axes[1].x, axes[1].y))
-            .expected("two perpendicular unit vectors")
-            .help("give the x axis with D1PNXX and D1PNXY, the y axis with D1PNYX and D1PNYY; without them they are those of the scene"),
+            .label(label.join(", "))
+            .expected(format!("{wanted} perpendicular unit vectors"))
+            .help(all),
         );
-        return Matrix2::identity();
+        return SMatrix::identity();
     }
-    let skew =
-        axes.iter().any(|a| (a.norm() - 1.0).abs() > 1e-6) || axes[0].dot(&axes[1]).abs() > 1e-6;
+    let is_unit = |a: &SVector<f64, D>| (a.norm() - 1.0).abs() <= 1e-6;
+    let is_square = |a: usize, b: usize| axes[a].dot(&axes[b]).abs() <= 1e-6;
+    let skew = !axes.iter().all(is_unit) || !(0..D).all(|a| (0..a).all(|b| is_square(a, b)));
     let is_split = reader.database.dialect() == Dialect::Split;
     if is_split && profile == Profile::Source {
-        axes = axes.map(|a| Vector2::new(a.x / a.norm(), a.y / a.norm()));
+        axes = axes.map(|a| {
+            let norm = a.norm();
+            a.map(|component| component / norm)
+        });
     } else if skew {
         reader.report(
             Diagnostic::warning(
@@ -183,10 +228,77 @@ fn check_axes(
             }),
         );
     }
-    Matrix2::from_columns(&axes)
+    SMatrix::from_columns(&axes)
 }
 
-fn check_codes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
+/// `(1, 0)`.
+fn words<const D: usize>(axis: &SVector<f64, D>) -> String {
+    let components: Vec<String> = axis.iter().map(f64::to_string).collect();
+    format!("({})", components.join(", "))
+}
+
+/// Area or volume that the axes span.
+fn spanned<const D: usize>(axes: &[SVector<f64, D>; D]) -> f64 {
+    let a = |i: usize, k: usize| axes[i][k];
+    if D == 2 {
+        return a(0, 0) * a(1, 1) - a(0, 1) * a(1, 0);
+    }
+    (0..3).fold(0.0, |sum, i| {
+        let (j, k) = ((i + 1) % 3, (i + 2) % 3);
+        sum + a(0, i) * (a(1, j) * a(2, k) - a(1, k) * a(2, j))
+    })
+}
+
+/// Pressure and traction act on edges of triangles.
+fn check_edge_loads<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
+    let lost = |set: usize| sets[set].pressure != 0.0 || sets[set].traction != 0.0;
+    if let Some(found) = Offenders::find(sets.len(), lost) {
+        let (load, name) = if sets[found.first].pressure == 0.0 {
+            ("traction", "YDPN/D1PNAT")
+        } else {
+            ("pressure", "YDPN/D1PNAP")
+        };
+        reader.report(
+            Diagnostic::warning(
+                "scene::no-effect",
+                format!(
+                    "the {load} of node set {} has no effect in 3D{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(reader.entry(name, found.first))
+            .expected("0: as in the original, tetrahedra have no loads on their faces")
+            .help("give the load as nodal forces (code 1 with D1PNAX, D1PNAY, D1PNAZ)"),
+        );
+    }
+}
+
+/// In 3D the original looks at local axes only where there is a load-time table.
+fn check_use_of_axes<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
+    if reader.is_given("YDPN/D3PNFAC") {
+        return;
+    }
+    let turned = |set: usize| sets[set].axes != SMatrix::<f64, D, D>::identity();
+    if let Some(found) = Offenders::find(sets.len(), turned) {
+        let place = AXES.iter().flatten().find_map(|name| reader.entry(name, found.first));
+        reader.report(
+            Diagnostic::warning(
+                "scene::axes",
+                format!(
+                    "the local axes of node set {} have no effect: there is no load-time table{}",
+                    found.first,
+                    found.more()
+                ),
+            )
+            .at(place)
+            .expected("a load-time table (NPNFACT, D3PNFAC) with factors 1, to make them act")
+            .help("in 3D the original takes the global axes where D3PNFAC is not given"),
+        );
+    }
+}
+
+fn check_codes<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
     let len = sets.len();
     for (name, axis) in [("YDPN/I1PNFX", "x"), ("YDPN/I1PNFY", "y")] {
         // in the classic dialect that is an error
@@ -222,9 +334,11 @@ fn check_codes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
     }
 }
 
-fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
-    for (k, name) in ["YDPN/D1PNAX", "YDPN/D1PNAY"].into_iter().enumerate() {
-        let loaded = sets.iter().any(|s| s.moves && s.conditions[k] != Condition::Frozen);
+fn check_amplitudes<const D: usize>(reader: &mut Reader<'_>, sets: &[NodeSet<D>]) {
+    for (k, name) in AMPLITUDES.into_iter().take(D).enumerate() {
+        let loaded = sets
+            .iter()
+            .any(|s| s.moves && s.conditions[k] != Condition::Frozen && s.amplitudes[k] != 0.0);
         let default_is_one = reader.database.dialect() == Dialect::Split;
         if loaded && default_is_one && !reader.is_given(name) {
             reader.report(
@@ -239,67 +353,13 @@ fn check_amplitudes(reader: &mut Reader<'_>, sets: &[NodeSet<2>]) {
     }
 }
 
-/// The load-time table of the node sets, if there is one.
-pub(super) fn read_load_history(reader: &mut Reader<'_>, sets: usize) -> Option<LoadHistory> {
-    let points = reader.count("YDPN/NPNFACT", "YDPN/MPNFACT", "load-time points", 0);
-    let table = reader.real_field("YDPN/D3PNFAC").filter(|f| f.item().is_some())?;
-    let given = table.given_shape();
-    let (given_sets, given_points) =
-        (given.get(1).copied().unwrap_or(0), given.get(2).copied().unwrap_or(0));
-    for (index, given, needed, what) in
-        [(1, given_sets, sets, "node sets (NPNSET)"), (2, given_points, points, "points (NPNFACT)")]
-    {
-        if given < needed {
-            reader.report(
-                Diagnostic::error(
-                    "scene::short-array",
-                    format!("the load-time table is given for {given} of {needed} {what}"),
-                )
-                .at(reader.length("YDPN/D3PNFAC", index))
-                .expected(format!(
-                    "the header `231 2 {sets} {points}`, then the pairs `time factor` of one set after the other"
-                )),
-            );
-            return None;
-        }
-    }
-    let at = |set: usize, p: usize| (table.get3(0, set, p), table.get3(1, set, p));
-    let history = LoadHistory {
-        points: (0..sets).map(|set| (0..points).map(|p| at(set, p)).collect()).collect(),
-    };
-    if history.is_active() {
-        check_times(reader, &history);
-    }
-    Some(history)
-}
-
-fn check_times(reader: &mut Reader<'_>, history: &LoadHistory) {
-    for (set, points) in history.points.iter().enumerate() {
-        let Some(k) = points.windows(2).position(|pair| pair[0].0 >= pair[1].0) else { continue };
-        reader.report(
-            Diagnostic::error(
-                "scene::load-time-order",
-                format!(
-                    "the load-time table of node set {set} goes from time {} to {}",
-                    points[k].0,
-                    points[k + 1].0
-                ),
-            )
-            .at(reader.entry_at("YDPN/D3PNFAC", [0, set, k + 1]))
-            .expected("times that increase from point to point")
-            .help("the table lists pairs `time factor`, one set after the other: put them in order of time, no time twice"),
-        );
-        return;
-    }
-}
-
 /// Checks that need the whole scene.
-pub(super) fn check_use(reader: &mut Reader<'_>, scene: &Scene) {
+pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     check_sets_of_nodes(reader, scene);
-    check_coverage(reader, scene);
+    load_history::check_use(reader, scene);
 }
 
-fn check_sets_of_nodes(reader: &mut Reader<'_>, scene: &Scene) {
+fn check_sets_of_nodes<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
     let sets = scene.node_sets.len() as i32;
     let set_of = &scene.nodes.set;
     if let Some(found) = Offenders::find(set_of.len(), |n| !(0..sets).contains(&set_of[n])) {
@@ -327,39 +387,5 @@ fn check_sets_of_nodes(reader: &mut Reader<'_>, scene: &Scene) {
                 "node sets are numbered from 0; correct I1NOPR, or raise NPNSET"
             }),
         );
-    }
-}
-
-fn check_coverage(reader: &mut Reader<'_>, scene: &Scene) {
-    let Some(history) = scene.load_history.as_ref().filter(|h| h.is_active()) else { return };
-    let control = &scene.control;
-    let steps = control.end_step.saturating_sub(control.first_step);
-    let last = control.start_time + control.time_step * steps.saturating_sub(1) as f64;
-    let loaded = |set: &NodeSet<2>| {
-        let [x, y] =
-            [0, 1].map(|k| set.conditions[k] != Condition::Frozen && set.amplitudes[k] != 0.0);
-        x || y || set.pressure != 0.0 || set.traction != 0.0
-    };
-    for (set, points) in
-        history.points.iter().enumerate().filter(|(set, _)| loaded(&scene.node_sets[*set]))
-    {
-        let (Some(first), Some(end)) = (points.first(), points.last()) else { continue };
-        // accumulated time may miss the last entry by rounding
-        let slack = 0.5 * control.time_step;
-        if first.0 > control.start_time + slack || end.0 < last - slack {
-            reader.report(
-                Diagnostic::warning(
-                    "scene::load-time-coverage",
-                    format!(
-                        "the load-time table of node set {set} covers {} to {} s, the run {} to {last} s",
-                        first.0, end.0, control.start_time
-                    ),
-                )
-                .at(reader.entry_at("YDPN/D3PNFAC", [0, set, 0]))
-                .expected("a table that covers the run")
-                .help("outside the table the factor is 1, not the last value: add a point at the end of the run"),
-            );
-            return;
-        }
     }
 }

@@ -1,10 +1,10 @@
 use super::{Reader, reader::Offenders};
 use crate::scene::Nodes;
-use nalgebra::Vector2;
+use nalgebra::SVector;
 use yformat::{database::Field, diagnostic::Diagnostic, dialect::Dialect};
 
-pub(super) fn read(reader: &mut Reader<'_>) -> Option<Nodes<2>> {
-    check_dimension(reader)?;
+pub(super) fn read<const D: usize>(reader: &mut Reader<'_>) -> Option<Nodes<D>> {
+    check_dimension(reader, D)?;
     let len = reader.count("YDN/NNOPO", "YDN/MNOPO", "nodes", 1);
     let initial = reader.required_reals("YDN/D2NCI", "nodes", len);
     let sets = reader.required_integers("YDN/I1NOPR", "nodes", len);
@@ -26,11 +26,12 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<Nodes<2>> {
         return None;
     }
     for (name, field) in [("YDN/D2NCI", initial), ("YDN/D2NCC", current)] {
-        check_components(reader, name, field);
+        if !check_components(reader, name, field, D) {
+            return None;
+        }
     }
-    let vectors = |field: Option<&Field<f64>>| -> Vec<Vector2<f64>> {
-        let at = |n| field.map_or(Vector2::zeros(), |f| Vector2::new(f.get2(0, n), f.get2(1, n)));
-        (0..len).map(at).collect()
+    let vectors = |field: Option<&Field<f64>>| -> Vec<SVector<f64, D>> {
+        (0..len).map(|n| field.map_or_else(SVector::zeros, |f| vector(f, n))).collect()
     };
     let flag = reader.integers("YDN/I1NOBF", 0);
     let boundary_flag: Vec<i32> = (0..len).map(|n| to_i32(flag(n))).collect();
@@ -46,17 +47,27 @@ pub(super) fn read(reader: &mut Reader<'_>) -> Option<Nodes<2>> {
     })
 }
 
-fn check_dimension(reader: &mut Reader<'_>) -> Option<()> {
+/// The vector of a node in an array of components by nodes.
+pub(super) fn vector<const D: usize>(field: &Field<f64>, node: usize) -> SVector<f64, D> {
+    SVector::from_fn(|k, _| field.get2(k, node))
+}
+
+fn check_dimension(reader: &mut Reader<'_>, wanted: usize) -> Option<()> {
     let dimension = reader.integer("YDN/NNODIM");
     let place = reader.place("YDN/NNODIM").or_else(|| reader.place("YDN/MNODIM"));
     match dimension {
-        2 => Some(()),
+        _ if dimension == wanted as i64 => Some(()),
         3 => {
+            let message = format!(
+                "scenes of the {} dialect are simulated in 2D only",
+                reader.database.dialect()
+            );
             reader.report(
-                Diagnostic::error("scene::three-dimensional", "scenes in 3D are not simulated yet")
+                Diagnostic::error("scene::three-dimensional", message)
                     .at(place)
                     .label("3D")
-                    .expected("NNODIM 2"),
+                    .expected("NNODIM 2")
+                    .help("3D scenes are those of the split dialect"),
             );
             None
         }
@@ -75,18 +86,26 @@ fn check_dimension(reader: &mut Reader<'_>) -> Option<()> {
     }
 }
 
-fn check_components(reader: &mut Reader<'_>, name: &str, field: &Field<f64>) {
+fn check_components(
+    reader: &mut Reader<'_>,
+    name: &str,
+    field: &Field<f64>,
+    dimension: usize,
+) -> bool {
     let components = field.given_shape().first().copied().unwrap_or(0);
-    if components < 2 {
+    if components < dimension {
         reader.report(
             Diagnostic::error(
                 "scene::short-array",
-                format!("{name} gives {components} of the 2 coordinates of each node"),
+                format!("{name} gives {components} of the {dimension} coordinates of each node"),
             )
             .at(reader.length(name, 0))
-            .expected("2 coordinates for each node, after the header `21 2 <number of nodes>`"),
+            .expected(format!(
+                "{dimension} coordinates for each node, after the header `21 {dimension} <number of nodes>`"
+            )),
         );
     }
+    components >= dimension
 }
 
 fn warn_of_flags(reader: &mut Reader<'_>, flags: &[i32]) {

@@ -1,4 +1,4 @@
-use super::Reader;
+use super::{Reader, solids};
 use crate::{
     mechanics::Vec2,
     scene::{Insertion, Probe, ProbeQuantity, Scene},
@@ -8,7 +8,7 @@ use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 /// Type of the kinetic energy, the only one of the classic dialect.
 const KINETIC_ENERGY: i64 = 15;
 
-pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
+pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> (Vec<Probe>, f64) {
     let len = reader.count("YDO/NOHYS", "YDO/MOHYS", "histories", 0);
     let threshold = reader.real("YDO/DOHYP");
     if len == 0 {
@@ -26,7 +26,11 @@ pub(super) fn read(reader: &mut Reader<'_>) -> (Vec<Probe>, f64) {
     let initial_time = reader.reals("YDO/D1OHYT", 0.0);
     let (x, y) = (reader.reals("YDO/D1OHYX", 0.0), reader.reals("YDO/D1OHYY", 0.0));
     let probes = (0..len).map(|i| Probe {
-        quantity: quantity(reader, i, kinds.get1(i)),
+        quantity: if dimension == 3 {
+            solids::quantity(reader, i, kinds.get1(i))
+        } else {
+            quantity(reader, i, kinds.get1(i))
+        },
         point: [x(i), y(i)],
         initial_value: initial(i),
         initial_time: initial_time(i),

@@ -1,11 +1,13 @@
 //! A scene changed by a later stage of its deck.
 
 use super::{
-    BuildOutcome, Profile, Reader, classic, classic_use, contact, control, elements, geometry,
-    insertion, joints, materials, node_sets, nodes::to_i32, probes, unsupported,
+    BuildOutcome, Profile, Reader, classic, contact, control, elements,
+    geometry::Shapes,
+    insertion, joints, load_history, materials, node_sets,
+    nodes::{to_i32, vector},
+    probes, unsupported,
 };
 use crate::scene::Scene;
-use nalgebra::Vector2;
 use std::collections::BTreeSet;
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
 
@@ -19,6 +21,31 @@ pub fn update_scene(
     named: &BTreeSet<String>,
     profile: Profile,
 ) -> BuildOutcome {
+    updated(deck, database, scene, named, profile)
+}
+
+/// The same in three dimensions.
+#[must_use]
+pub fn update_spatial_scene(
+    deck: &Deck,
+    database: &Database,
+    scene: &Scene<3>,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) -> BuildOutcome<3> {
+    updated(deck, database, scene, named, profile)
+}
+
+fn updated<const D: usize>(
+    deck: &Deck,
+    database: &Database,
+    scene: &Scene<D>,
+    named: &BTreeSet<String>,
+    profile: Profile,
+) -> BuildOutcome<D>
+where
+    Scene<D>: Shapes,
+{
     let mut reader = Reader::new(deck, database);
     let scene = update(&mut reader, scene.clone(), named, profile);
     let findings = reader.into_findings();
@@ -26,12 +53,15 @@ pub fn update_scene(
     BuildOutcome { scene: (!failed).then_some(scene), findings }
 }
 
-fn update(
+fn update<const D: usize>(
     reader: &mut Reader<'_>,
-    mut scene: Scene,
+    mut scene: Scene<D>,
     named: &BTreeSet<String>,
     profile: Profile,
-) -> Scene {
+) -> Scene<D>
+where
+    Scene<D>: Shapes,
+{
     unsupported::check(reader);
     check_counts(reader, &scene, named);
     update_settings(reader, &mut scene, named, profile);
@@ -42,20 +72,18 @@ fn update(
         joints::check_use(reader, &scene);
         insertion::check_use(reader, &scene);
         node_sets::check_use(reader, &scene);
-        geometry::check(reader, &scene);
-        if reader.is_classic() {
-            classic_use::check_again(reader, &scene);
-        }
+        scene.check_shapes(reader);
+        scene.check_again(reader);
     }
     scene
 }
 
 /// Gives a scene the settings of a later stage, which a run has passed without errors before;
 /// nodes and elements stay as they are.
-pub fn replay_settings(
+pub fn replay_settings<const D: usize>(
     deck: &Deck,
     database: &Database,
-    scene: &mut Scene,
+    scene: &mut Scene<D>,
     named: &BTreeSet<String>,
     profile: Profile,
 ) {
@@ -64,9 +92,9 @@ pub fn replay_settings(
 }
 
 /// Everything of a stage but nodes and elements.
-fn update_settings(
+fn update_settings<const D: usize>(
     reader: &mut Reader<'_>,
-    scene: &mut Scene,
+    scene: &mut Scene<D>,
     named: &BTreeSet<String>,
     profile: Profile,
 ) {
@@ -75,14 +103,14 @@ fn update_settings(
     let names = |database| named.iter().any(|n| n.split('/').next() == Some(database));
     let [materials_change, joints_change, nodes_change, meshing_changes] =
         ["YDPE", "YDPJ", "YDPN", "YDPM"].map(|database| names(table(database)));
-    scene.control = control::read(reader);
+    scene.control = control::read(reader, D);
     if reader.is_classic() {
         scene.ramp = Some(classic::ramp(reader));
     }
     if materials_change {
         let support_is_named = named.contains("YDPE/I1PSUP");
         let sets: Vec<i32> = scene.materials.iter().map(|m| m.joint_set).collect();
-        scene.materials = materials::read(reader);
+        scene.materials = materials::read(reader, D);
         for material in scene.materials.iter_mut().filter(|_| !support_is_named) {
             // it has been installed
             material.resets_shape = false;
@@ -95,18 +123,19 @@ fn update_settings(
         }
     }
     if joints_change {
-        scene.cohesive_laws = joints::read(reader);
+        scene.cohesive_laws = joints::read(reader, D);
+        scene.joint_points = joints::points(reader, profile);
     }
     if nodes_change {
         scene.node_sets = node_sets::read(reader, profile);
-        scene.load_history = node_sets::read_load_history(reader, scene.node_sets.len());
+        scene.load_history = load_history::read(reader, scene.node_sets.len());
     }
     if names("YDI") || named.contains("YDC/IWFAST") {
-        scene.contact = contact::read(reader);
+        scene.contact = contact::read(reader, D);
     }
     if meshing_changes {
         let earlier = scene.insertion.take();
-        scene.insertion = insertion::read(reader, &scene.materials);
+        scene.insertion = insertion::read(reader, D, &scene.materials);
         let codes = ["YDPM/I2PMSET", "YDP/I1PEMN", "YDP/I1PNFZ"];
         if !codes.iter().any(|code| named.contains(*code)) {
             // codes are consumed when they are executed
@@ -122,7 +151,11 @@ fn update_settings(
 }
 
 /// Restating the counts of a mesh that has grown would cut it.
-fn check_counts(reader: &mut Reader<'_>, scene: &Scene, named: &BTreeSet<String>) {
+fn check_counts<const D: usize>(
+    reader: &mut Reader<'_>,
+    scene: &Scene<D>,
+    named: &BTreeSet<String>,
+) {
     let mesh = [("YDN/NNOPO", scene.nodes.len()), ("YDE/NELEM", scene.elements.len())];
     // the sets of joints are numbered behind those of triangles
     let sets = reader.is_classic().then_some(("YDP/NPROP", scene.materials.len()));
@@ -144,8 +177,8 @@ fn check_counts(reader: &mut Reader<'_>, scene: &Scene, named: &BTreeSet<String>
     }
 }
 
-fn update_probes(reader: &mut Reader<'_>, scene: &mut Scene) {
-    let (probes, threshold) = probes::read(reader);
+fn update_probes<const D: usize>(reader: &mut Reader<'_>, scene: &mut Scene<D>) {
+    let (probes, threshold) = probes::read(reader, D);
     if probes.len() != scene.probes.len() {
         reader.report(
             Diagnostic::error(
@@ -159,7 +192,11 @@ fn update_probes(reader: &mut Reader<'_>, scene: &mut Scene) {
     (scene.probes, scene.probe_threshold) = (probes, threshold);
 }
 
-fn update_nodes(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>) {
+fn update_nodes<const D: usize>(
+    reader: &Reader<'_>,
+    scene: &mut Scene<D>,
+    named: &BTreeSet<String>,
+) {
     let nodes = &mut scene.nodes;
     for (name, values) in [
         ("YDN/D2NCI", &mut nodes.initial),
@@ -168,7 +205,7 @@ fn update_nodes(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>
     ] {
         if let Some(field) = reader.real_field(name).filter(|_| named.contains(name)) {
             for (n, value) in values.iter_mut().enumerate() {
-                *value = Vector2::new(field.get2(0, n), field.get2(1, n));
+                *value = vector(field, n);
             }
         }
     }
@@ -178,18 +215,23 @@ fn update_nodes(reader: &Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>
     }
 }
 
-fn update_elements(reader: &mut Reader<'_>, scene: &mut Scene, named: &BTreeSet<String>) {
+fn update_elements<const D: usize>(
+    reader: &mut Reader<'_>,
+    scene: &mut Scene<D>,
+    named: &BTreeSet<String>,
+) {
     let elements = &mut scene.elements;
     if named.contains("YDE/I1ELPR") {
         replace(reader, "YDE/I1ELPR", &mut elements.property, named);
         if !reader.is_classic() {
-            elements::name_joints(elements, reader.database.dialect());
+            elements::name_joints(elements, reader.database.dialect(), D);
         }
         elements::check_properties(
             reader,
+            D,
             elements.len(),
             |e| i64::from(elements.property[e]),
-            |e| elements.nodes[e][3] >= 0,
+            |e| elements.nodes[e][D + 1] >= 0,
             scene.materials.len(),
             scene.cohesive_laws.len(),
         );

@@ -1,6 +1,6 @@
 //! Checkpoints: a run can be stopped and gone on with, bit for bit.
 //!
-//! A checkpoint holds the [`SimulationState`] between two steps, how far the result files had
+//! A checkpoint holds the state of the simulation between two steps, how far the result files had
 //! been written, and which deck and program it belongs to. What follows from the deck is not in
 //! it, so that it is of use with that deck only.
 
@@ -11,8 +11,8 @@ mod file;
 pub(super) use deck_print::DeckPrint;
 pub use error::CheckpointError;
 
-use super::{Format, restage::Entry, settle::SettlingSummary};
-use crate::{output::FilePosition, scene::Profile, simulation::SimulationState};
+use super::{Format, model::ModelState, restage::Entry, settle::SettlingSummary};
+use crate::{output::FilePosition, scene::Profile};
 use serde::{Deserialize, Serialize};
 
 /// What a run was asked for that a run that goes on with it is to do as well.
@@ -36,7 +36,7 @@ pub struct Checkpoint {
     pub(super) settings: RunSettings,
     pub(super) deck: DeckPrint,
     pub(super) position: Position,
-    pub(super) state: SimulationState,
+    pub(super) state: ModelState,
     /// What each writer needs to go on: its kind and its mark.
     pub(super) marks: Vec<(String, Vec<u8>)>,
 }

@@ -3,6 +3,9 @@ use thiserror::Error;
 /// Why a scene has no state of rest that settling could look for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Error)]
 pub enum Unsettleable {
+    /// Relaxation knows triangles only.
+    #[error("it is three-dimensional, and settling works in 2D only")]
+    Space,
     /// Rigid triangles have no stiffness that a fictitious mass could follow.
     #[error("it has rigid triangles (type 2), which move with masses of their own")]
     RigidTriangles,

@@ -75,7 +75,7 @@ impl FreeNodes {
             })
         };
         let list = (0..scene.nodes.len()).filter_map(free).collect();
-        Self { list, constraints, gravity: scene.control.gravity }
+        Self { list, constraints, gravity: scene.control.gravity[1] }
     }
 
     /// Gravity and nodal loads on a node, along its free axes, N.

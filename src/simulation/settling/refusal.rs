@@ -17,7 +17,7 @@ impl Simulation {
         }
         check_materials(&self.scene)?;
         check_nodes(&self.scene)?;
-        let loads_act = self.scene.control.gravity != 0.0
+        let loads_act = self.scene.control.gravity[1] != 0.0
             || DistributedLoads::of(&self.scene).act()
             || self.nodal_loads_act();
         if loads_act { Ok(()) } else { Err(Unsettleable::NoLoad.into()) }
@@ -54,7 +54,7 @@ fn check_nodes(scene: &Scene) -> Result<(), Unsettleable> {
     if !free {
         return Err(Unsettleable::NoFreeNode);
     }
-    if scene.control.gravity != 0.0 && !held {
+    if scene.control.gravity[1] != 0.0 && !held {
         return Err(Unsettleable::NothingHeld);
     }
     Ok(())

@@ -1,0 +1,144 @@
+//! Coulomb friction of a couple of tetrahedra: an option, the original has none.
+//!
+//! A spring of stiffness kₜ·√A joins the two bodies where they press on each other, kₜ the tangential
+//! penalty and A the area of contact: as in the plane, where the sliding counts times the length of
+//! the edge. It is stretched by the motion along the surface and slips where its force would exceed
+//! μ·N. A spring, unlike a law of the velocity, holds bodies at rest on a slope. It is let go when
+//! the couple comes apart.
+
+use super::{
+    FACES, Slip, Vec3, dot,
+    potential::{Pressed, Shape3},
+    two_sided::FACTOR,
+};
+use crate::scene::PairProperties;
+
+/// Where and how strongly a contactor presses on a target.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Contact {
+    /// Unit vector from the target towards the contactor.
+    pub normal: Vec3,
+    /// Normal force, N.
+    pub force: f64,
+    /// Centre of pressure, m.
+    pub centre: Vec3,
+    /// Area of contact, m².
+    pub area: f64,
+}
+
+impl Contact {
+    /// From the faces of the contactor in the target's potential and, where both sides count, the
+    /// faces of the target in that of the contactor.
+    pub fn new(
+        [target, contactor]: [&Shape3; 2],
+        on_contactor: &Pressed,
+        on_target: Option<&Pressed>,
+        penalty: f64,
+    ) -> Option<Self> {
+        let mut sum = Vec3::zeros();
+        let mut centre = Vec3::zeros();
+        let mut weight = 0.0;
+        let sides = [(Some(on_contactor), contactor, -1.0), (on_target, target, 1.0)];
+        let mut area = 0.0;
+        for (pressed, body, sign) in sides {
+            let Some(pressed) = pressed else { continue };
+            area += pressed.area;
+            for i in 0..FACES.len() {
+                let force = pressed.faces[i] * sign;
+                let size = dot(&force, &force).sqrt();
+                sum += force;
+                centre += body.corners[i] * size;
+                weight += size;
+            }
+        }
+        let size = dot(&sum, &sum).sqrt();
+        (size > 0.0 && weight > 0.0).then(|| Self {
+            normal: sum / size,
+            force: FACTOR * penalty * size,
+            centre: centre / weight,
+            area,
+        })
+    }
+
+    /// The friction on the contactor, N; takes the spring along. `sliding` is the velocity of the
+    /// contactor relative to the target in the centre of pressure, m/s.
+    pub fn friction(
+        &self,
+        slip: &mut Slip,
+        sliding: &Vec3,
+        pair: &PairProperties,
+        dt: f64,
+    ) -> Vec3 {
+        let along = |v: Vec3| v - self.normal * dot(&v, &self.normal);
+        // the spring turns with the surface
+        let stretch = along(Vec3::from(*slip)) + along(*sliding) * dt;
+        let stiffness = pair.tangential_penalty * self.area.sqrt();
+        let force = stretch * -stiffness;
+        let size = dot(&force, &force).sqrt();
+        let limit = pair.friction * self.force;
+        let share = if size > limit { limit / size } else { 1.0 };
+        *slip = (stretch * share).into();
+        force * share
+    }
+}
+
+/// Velocity of a body in a point.
+pub(super) fn velocity(body: &Shape3, velocities: &[Vec3; 4], point: &Vec3) -> (Vec3, [f64; 4]) {
+    let shares = body.coordinates(point);
+    let sum = (1..4).fold(velocities[0] * shares[0], |sum, i| sum + velocities[i] * shares[i]);
+    (sum, shares)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::contact::spatial::samples::vector;
+    use proptest::prelude::*;
+
+    const PAIR: PairProperties =
+        PairProperties { penalty: 1e6, tangential_penalty: 1e4, friction: 0.5 };
+
+    proptest! {
+        /// Friction lies in the surface, within the cone, and never drives the sliding.
+        #[test]
+        fn friction_stays_within_coulombs_cone(
+            normal in vector(),
+            slides in proptest::collection::vec(vector(), 1..40),
+            force in 0.0f64..100.0,
+        ) {
+            prop_assume!(normal.norm() > 0.1);
+            let contact =
+                Contact { normal: normal.normalize(), force, centre: Vec3::zeros(), area: 0.04 };
+            let mut slip = [0.0; 3];
+            for sliding in slides {
+                let friction = contact.friction(&mut slip, &sliding, &PAIR, 1e-3);
+                prop_assert!(friction.norm() <= 0.5 * force * (1.0 + 1e-12));
+                prop_assert!(friction.dot(&contact.normal).abs() <= 1e-12 * friction.norm());
+                prop_assert!(friction.dot(&Vec3::from(slip)) <= 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn a_small_displacement_is_taken_back_elastically() {
+        let contact =
+            Contact { normal: Vec3::z(), force: 100.0, centre: Vec3::zeros(), area: 0.04 };
+        let mut slip = [0.0; 3];
+        let there = contact.friction(&mut slip, &Vec3::x(), &PAIR, 1e-3);
+        // 1 mm on a spring of 10⁴·0.2 N/m
+        assert!((there - Vec3::new(-2.0, 0.0, 0.0)).norm() < 1e-12);
+        assert_eq!(contact.friction(&mut slip, &-Vec3::x(), &PAIR, 1e-3), Vec3::zeros());
+    }
+
+    #[test]
+    fn a_sliding_body_feels_the_full_friction_against_its_motion() {
+        let contact =
+            Contact { normal: Vec3::z(), force: 100.0, centre: Vec3::zeros(), area: 0.04 };
+        let mut slip = [0.0; 3];
+        let mut friction = Vec3::zeros();
+        for _ in 0..1000 {
+            friction = contact.friction(&mut slip, &Vec3::new(0.6, 0.8, 0.0), &PAIR, 1e-3);
+        }
+        assert!((friction - Vec3::new(-30.0, -40.0, 0.0)).norm() < 1e-10, "{friction}");
+    }
+}
