@@ -79,9 +79,9 @@ pub fn tables(report: &Report) -> String {
 
 /// Speed, memory and instructions of scenes.
 fn speed(scenes: &[SceneReport]) -> String {
-    let mut text = "Speed: million triangle-steps per second, of the step loop and of the whole process (start, reading, \
+    let mut text = "Speed: million element-steps per second (triangles, or tetrahedra in 3D), of the step loop and of the whole process (start, reading, \
                     writing). Memory: the process's high-water mark.\n\n\
-                    | scene | triangles | joints | steps | threads | step loop | whole process | speed-up | memory, MB | bytes per triangle | instructions per triangle-step |\n\
+                    | scene | elements | joints | steps | threads | step loop | whole process | speed-up | memory, MB | bytes per element | instructions per element-step |\n\
                     |---|---|---|---|---|---|---|---|---|---|---|\n"
         .to_owned();
     for scene in scenes {
@@ -118,9 +118,9 @@ fn speed(scenes: &[SceneReport]) -> String {
 
 /// Shares of the phases.
 fn phases(scenes: &[SceneReport]) -> String {
-    let mut text = "Nanoseconds per triangle-step in each phase, with its share of the step loop; couples evaluated and at rest \
+    let mut text = "Nanoseconds per element-step in each phase, with its share of the step loop; couples evaluated and at rest \
                     per step.\n\n\
-                    | scene | threads | triangles | joints | detection | overlap | integration | output | couples | at rest | detections |\n\
+                    | scene | threads | elements | joints | detection | overlap | integration | output | couples | at rest | detections |\n\
                     |---|---|---|---|---|---|---|---|---|---|---|\n"
         .to_owned();
     for scene in scenes {

@@ -5,7 +5,7 @@ use crate::{
     output::MonitorPlan,
     scene::Profile,
     session::{Format, RunOptions, Silent, load, run},
-    simulation::{AnySimulation, PhaseTimes, SolverOptions, joint_views},
+    simulation::{AnySimulation, PhaseTimes, SolverOptions, face_joint_views, joint_views},
     team::Team,
 };
 use serde::{Deserialize, Serialize};
@@ -31,7 +31,7 @@ pub struct Measurement {
     pub steps: u64,
     /// Nodes at the end.
     pub nodes: usize,
-    /// Triangles.
+    /// Triangles, or tetrahedra in 3D.
     pub triangles: usize,
     /// Joints at the start.
     pub joints: usize,
@@ -58,13 +58,21 @@ pub struct Measurement {
 pub fn work(work: &Work, team: Team) -> Result<Measurement, BenchError> {
     let solver = SolverOptions { team, ..SolverOptions::default() };
     let mut loaded = load(&work.deck, None, Profile::default(), solver)?;
-    let Some(AnySimulation::Plane(simulation)) = &mut loaded.simulation else {
-        return Err(BenchError::NothingRuns(work.deck.clone()));
+    let joints = match &mut loaded.simulation {
+        None => return Err(BenchError::NothingRuns(work.deck.clone())),
+        Some(AnySimulation::Plane(simulation)) => {
+            if work.takes_phases {
+                simulation.watch_phases();
+            }
+            joint_views(simulation).count()
+        }
+        Some(AnySimulation::Spatial(simulation)) => {
+            if work.takes_phases {
+                simulation.watch_phases();
+            }
+            face_joint_views(simulation).count()
+        }
     };
-    if work.takes_phases {
-        simulation.watch_phases();
-    }
-    let joints = joint_views(simulation).count();
     let options = RunOptions {
         deck: work.deck.clone(),
         folder: work.folder.clone(),
@@ -80,7 +88,7 @@ pub fn work(work: &Work, team: Team) -> Result<Measurement, BenchError> {
     Ok(Measurement {
         steps: summary.steps,
         nodes: summary.nodes,
-        triangles: summary.triangles,
+        triangles: summary.triangles + summary.tetrahedra,
         joints,
         broken_joints: summary.broken_joints,
         loop_seconds: summary.seconds,

@@ -1,4 +1,4 @@
-use super::{Simulation, plan::ForcePhase};
+use super::{Simulation, SpatialSimulation, plan::ForcePhase};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, Instant};
 
@@ -24,7 +24,7 @@ impl From<&ForcePhase> for Phase {
 /// Wall-clock time of the phases of all steps so far, s.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Serialize, Deserialize)]
 pub struct PhaseTimes {
-    /// Stresses and nodal forces of triangles, edge loads, and adding them up.
+    /// Stresses and nodal forces of triangles or tetrahedra, edge loads, and adding them up.
     pub triangles: f64,
     /// Stresses and nodal forces of joints, and adding them up.
     pub joints: f64,
@@ -80,17 +80,15 @@ impl PhaseClock {
     }
 }
 
-impl Simulation {
-    /// From now on the time of each phase is taken ([`Self::phase_times`]).
-    pub fn watch_phases(&mut self) {
-        self.clock = PhaseClock(Some(Running { since: Instant::now(), times: Default::default() }));
+impl PhaseClock {
+    /// A clock that takes times from now on.
+    pub fn running() -> Self {
+        Self(Some(Running { since: Instant::now(), times: Default::default() }))
     }
 
-    /// Time of each phase since [`Self::watch_phases`]; `None` without it.
-    #[must_use]
-    pub fn phase_times(&self) -> Option<PhaseTimes> {
-        let seconds =
-            |phase: Phase| Some(self.clock.0.as_ref()?.times[phase as usize].as_secs_f64());
+    /// Times so far, if they are taken.
+    pub fn times(&self) -> Option<PhaseTimes> {
+        let seconds = |phase: Phase| Some(self.0.as_ref()?.times[phase as usize].as_secs_f64());
         Some(PhaseTimes {
             triangles: seconds(Phase::Triangles)?,
             joints: seconds(Phase::Joints)?,
@@ -98,5 +96,31 @@ impl Simulation {
             overlap: seconds(Phase::Overlap)?,
             integration: seconds(Phase::Integration)?,
         })
+    }
+}
+
+impl Simulation {
+    /// From now on the time of each phase is taken ([`Self::phase_times`]).
+    pub fn watch_phases(&mut self) {
+        self.clock = PhaseClock::running();
+    }
+
+    /// Time of each phase since [`Self::watch_phases`]; `None` without it.
+    #[must_use]
+    pub fn phase_times(&self) -> Option<PhaseTimes> {
+        self.clock.times()
+    }
+}
+
+impl SpatialSimulation {
+    /// From now on the time of each phase is taken ([`Self::phase_times`]).
+    pub fn watch_phases(&mut self) {
+        self.clock = PhaseClock::running();
+    }
+
+    /// Time of each phase since [`Self::watch_phases`]; `None` without it.
+    #[must_use]
+    pub fn phase_times(&self) -> Option<PhaseTimes> {
+        self.clock.times()
     }
 }

@@ -123,6 +123,7 @@ pub fn found_decks(folder: &Path) -> Vec<(String, PathBuf)> {
         ("jointed5k_nocontact.y", "perf/jointed5k_nocontact.y"),
         ("jointed5k.y", "perf/jointed5k.y"),
         ("blocks2k.y", "perf/blocks2k.y"),
+        ("heap3d.y", "perf/heap3d.y"),
     ];
     let shared = folder.join("../shared");
     let found = known.into_iter().map(|(name, path)| (name.to_owned(), shared.join(path)));

@@ -53,7 +53,7 @@ impl Model for SpatialSimulation {
     }
 
     fn phases(&self) -> Option<PhaseTimes> {
-        None
+        self.phase_times()
     }
 
     /// The original says so of every such element in every step; here the first is named.

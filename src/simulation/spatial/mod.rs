@@ -11,7 +11,10 @@ mod probes;
 mod state;
 mod view;
 
-use super::{SolverOptions, StressUse};
+use super::{
+    SolverOptions, StressUse,
+    phases::{Phase, PhaseClock},
+};
 use crate::{
     contact::{
         CoupleWork,
@@ -19,7 +22,7 @@ use crate::{
     },
     insertion::{self, CapacityError, InsertionReport},
     mechanics::{Vec3, joint3::JointResponse},
-    scene::{PairProperties, Scene},
+    scene::{ContactSettings, PairProperties, Scene},
 };
 use forces::TetrahedronResponse;
 use motion::Drive;
@@ -77,6 +80,7 @@ pub struct SpatialSimulation {
     joint_slots: Vec<JointResponse>,
     /// Boundary conditions of the present step.
     drives: Vec<Drive>,
+    pub(super) clock: PhaseClock,
 }
 
 impl SpatialSimulation {
@@ -89,9 +93,7 @@ impl SpatialSimulation {
     /// The same with explicit solver options.
     #[must_use]
     pub fn with_options(scene: Scene<3>, options: SolverOptions) -> Self {
-        let contact = |settings| {
-            Contact3::new(settings, options.skip_separated_couples).shared_by(options.team.clone())
-        };
+        let contact = |settings| contact_of(settings, &options);
         Self {
             contact: scene.contact.clone().map(contact),
             options,
@@ -111,6 +113,7 @@ impl SpatialSimulation {
             tetrahedron_slots: Vec::new(),
             joint_slots: Vec::new(),
             drives: Vec::new(),
+            clock: PhaseClock::default(),
         }
     }
 
@@ -140,9 +143,7 @@ impl SpatialSimulation {
                 contact.restate(settings.clone(), travel);
                 Some(contact)
             }
-            (None, Some(settings)) => {
-                Some(Contact3::new(settings.clone(), self.options.skip_separated_couples))
-            }
+            (None, Some(settings)) => Some(contact_of(settings.clone(), &self.options)),
             (_, None) => None,
         };
         for (value, (old, new)) in
@@ -166,8 +167,11 @@ impl SpatialSimulation {
 
     /// First half of a step: forces of tetrahedra, joints and contact.
     pub fn evaluate_forces(&mut self) {
+        self.clock.start();
         self.add_tetrahedron_forces();
+        self.clock.lap(Phase::Triangles);
         self.add_joint_forces();
+        self.clock.lap(Phase::Joints);
         self.add_contact_forces();
         self.record_nodal_forces();
     }
@@ -180,7 +184,9 @@ impl SpatialSimulation {
 
     /// New velocities and positions, and the kinetic energy that they have.
     pub fn move_bodies(&mut self) {
+        self.clock.start();
         self.integrate();
+        self.clock.lap(Phase::Integration);
         self.update_kinetic_energy();
     }
 
@@ -206,7 +212,11 @@ impl SpatialSimulation {
     fn add_contact_forces(&mut self) {
         let Some(contact) = &mut self.contact else { return };
         let Scene { nodes, elements, control, .. } = &mut self.scene;
-        contact.add_forces(Motion3::from(&*nodes), elements, control.time_step, &mut self.force);
+        let (motion, dt) = (Motion3::from(&*nodes), control.time_step);
+        contact.detect(motion, elements, dt);
+        self.clock.lap(Phase::Detection);
+        contact.interact(motion, dt, &mut self.force);
+        self.clock.lap(Phase::Overlap);
     }
 
     /// Contact work done so far.
@@ -221,6 +231,10 @@ impl SpatialSimulation {
         self.joint_slots = vec![JointResponse::default(); self.plan.joints.len()];
         self.failures.reserve(self.plan.joints.len());
     }
+}
+
+fn contact_of(settings: ContactSettings, options: &SolverOptions) -> Contact3 {
+    Contact3::new(settings, options.skip_separated_couples).shared_by(options.team.clone())
 }
 
 /// Contact properties of each property set; `None` where its elements take no part.

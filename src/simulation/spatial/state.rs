@@ -140,6 +140,7 @@ impl SpatialSimulation {
             tetrahedron_slots: _,
             joint_slots: _,
             drives: _,
+            clock: _,
         } = self;
         SpatialState {
             step: *step,
