@@ -272,3 +272,25 @@ fn the_help_shows_all_options_and_exit_codes() {
         format!("ypsilon {}\n", env!("CARGO_PKG_VERSION"))
     );
 }
+
+#[test]
+fn packages_get_man_pages_and_completions() {
+    let workplace = Workplace::new(&[]);
+    let done = workplace.ypsilon(&["man", "--out", "pages"]);
+    assert_eq!(done.code, Some(0), "{}", done.stderr);
+    let pages = workplace.files("pages");
+    for page in ["ypsilon.1", "ypsilon-run.1", "ypsilon-mesh.1", "ypsilon-bench.1"] {
+        assert!(pages.contains(page), "{pages:?}");
+    }
+    let run = fs::read_to_string(workplace.path("pages/ypsilon-run.1")).expect("a page");
+    assert!(run.contains("\\-\\-threads") && run.contains("Exit codes"), "{run}");
+    for (shell, mark) in
+        [("bash", "_ypsilon()"), ("zsh", "#compdef ypsilon"), ("fish", "complete -c ypsilon")]
+    {
+        let done = workplace.ypsilon(&["completions", shell]);
+        assert_eq!(done.code, Some(0), "{}", done.stderr);
+        assert!(done.stdout.contains(mark), "{shell}");
+    }
+    // a file is where the folder should be
+    assert_eq!(workplace.ypsilon(&["man", "--out", "deck.y"]).code, Some(3));
+}

@@ -9,6 +9,7 @@ mod exit;
 mod extract;
 mod interrupt;
 mod keywords;
+mod manual;
 mod mesh;
 mod plot;
 mod progress;
@@ -56,6 +57,14 @@ enum Command {
     Bench(bench::BenchArguments),
     /// List the deck keywords of a dialect with their meaning
     Keywords(keywords::KeywordArguments),
+    /// Print what lets a shell complete the command line
+    #[command(
+        after_help = "Example:\n  ypsilon completions bash > ~/.local/share/bash-completion/completions/ypsilon"
+    )]
+    Completions(manual::CompletionArguments),
+    /// Write man pages
+    #[command(after_help = "Example:\n  ypsilon man --out ~/.local/share/man/man1")]
+    Man(manual::ManArguments),
 }
 
 /// Parses the command line, does what it says and gives the exit code.
@@ -71,6 +80,8 @@ pub fn main() -> ExitCode {
         (Some(Command::Mesh(mesh)), _) => mesh::main(&mesh),
         (Some(Command::Bench(bench)), _) => bench::main(&bench),
         (Some(Command::Keywords(keywords)), _) => keywords::main(&keywords),
+        (Some(Command::Completions(completions)), _) => manual::complete(&completions),
+        (Some(Command::Man(man)), _) => manual::man(&man),
         (None, None) => Exit::Usage,
     };
     exit.into()
