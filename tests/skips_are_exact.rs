@@ -15,7 +15,7 @@ use ypsilon::{
 /// Returns how many evaluations were spared.
 fn compare(scene: &Scene, steps: u64) -> u64 {
     let simulate = |skip_separated_couples| {
-        let options = SolverOptions { skip_separated_couples };
+        let options = SolverOptions { skip_separated_couples, ..SolverOptions::default() };
         let mut simulation = Simulation::with_options(scene.clone(), options);
         simulation.prepare().expect("the deck leaves room for its joints");
         simulation

@@ -30,7 +30,7 @@ use crate::{
     contact::{Contact, Tally},
     insertion::{self, CapacityError, InsertionReport},
     mechanics::Vec2,
-    scene::{CohesiveModel, ContactSum, Scene},
+    scene::{CohesiveModel, ContactSum, Scene, SpatialContact},
 };
 use domains::Domains;
 use joint_forces::EvaluatedJoint;
@@ -50,16 +50,19 @@ pub use spatial::{FaceFailure, FaceJointView, SpatialSimulation, SpatialState, f
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
-/// Choices that change how fast a simulation runs, never its results.
+/// Choices that a deck cannot make.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct SolverOptions {
-    /// Whether couples that provably have no effect are left out.
+    /// Whether couples that provably have no effect are left out: this changes how fast a
+    /// simulation runs, never its results.
     pub skip_separated_couples: bool,
+    /// The law of contact of tetrahedra. Nothing in the plane.
+    pub spatial_contact: SpatialContact,
 }
 
 impl Default for SolverOptions {
     fn default() -> Self {
-        Self { skip_separated_couples: true }
+        Self { skip_separated_couples: true, spatial_contact: SpatialContact::default() }
     }
 }
 
