@@ -179,3 +179,43 @@ fn what_cannot_be_gone_on_with_is_refused_by_name() {
     let (exit, said) = code(&["deck.y", "--resume", "-q"]);
     assert_eq!((exit, said.as_str()), (Some(0), ""));
 }
+
+/// A cube that falls on another one and slides on it.
+const SLIDING_CUBE: &str = include_str!("data/split3d/t3d_friction/t3d_friction.y");
+
+#[test]
+fn a_resumed_run_keeps_the_law_of_contact_of_tetrahedra() {
+    let law = ["--contact", "two-sided", "--contact-friction"];
+    let folder = || {
+        let folder = TempDir::new().expect("a temporary folder");
+        write(folder.path(), "deck.y", SLIDING_CUBE.as_bytes());
+        folder
+    };
+    let common = ["deck.y", "--formats", "json", "--states", "900", "-q"];
+    let go = |folder: &TempDir, more: &[&str]| {
+        let output = run(folder, &[&common[..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    };
+    let (straight, resumed, original) = (folder(), folder(), folder());
+    go(&straight, &[&law[..], &["--steps", "900"]].concat());
+    go(&original, &["--steps", "900"]);
+    go(&resumed, &[&law[..], &["--steps", "400", "--checkpoint"]].concat());
+    let output = run(&resumed, &["deck.y", "--resume", "--steps", "500", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_same(&resumed, &straight);
+    assert_ne!(results(straight.path()), results(original.path()), "the law has an effect");
+    let output = run(&resumed, &["deck.y", "--resume", "--contact", "one-sided"]);
+    assert_eq!(output.status.code(), Some(2), "the law cannot change halfway");
+}
+
+#[test]
+fn laws_of_contact_of_tetrahedra_are_refused_in_the_plane() {
+    let folder = folder("MCSTEP 20");
+    for law in [&["--contact", "two-sided"][..], &["--contact-friction"]] {
+        let output = run(&folder, &[&["deck.y"], law].concat());
+        let said = stderr(&output);
+        assert_eq!(output.status.code(), Some(2));
+        assert!(said.contains("deck.y is a deck in the plane (NNODIM 2)"), "{said}");
+        assert!(results(folder.path()).is_empty(), "no file was touched");
+    }
+}

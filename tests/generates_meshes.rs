@@ -6,11 +6,12 @@ use ypsilon::meshing::{
     Bond, Drive, Generated, Load, Scenario, Side, Staging, flags,
     kinds::{BlockBond, Bridge, Wall},
     scenario_from_flags,
+    spatial::kinds::Wall3d,
 };
 use ypsilon::{
-    scene::Profile,
+    scene::{Profile, SpatialContact},
     session::{LoadedDeck, load},
-    simulation::{AnySimulation, SolverOptions},
+    simulation::{AnySimulation, SolverOptions, face_joint_views},
 };
 
 /// Corners of a triangle as bits, from the smallest on.
@@ -116,11 +117,60 @@ fn neighbouring_blocks_have_different_properties() {
 /// A generated deck, read by the program: tables of the deck's text, nodes after joints have been
 /// inserted.
 fn loaded(generated: &Generated) -> LoadedDeck {
+    read(&generated.deck.to_text())
+}
+
+/// In space with friction, which is warned of where it does nothing.
+fn read(text: &str) -> LoadedDeck {
     let folder = tempfile::tempdir().expect("a folder");
     let path = folder.path().join("generated.y");
-    std::fs::write(&path, generated.deck.to_text()).expect("written");
-    load(&path, None, Profile::default(), SolverOptions::default())
-        .unwrap_or_else(|fault| panic!("{}: {fault:?}", generated.model.title))
+    std::fs::write(&path, text).expect("written");
+    let spatial_contact = SpatialContact { has_friction: true, ..SpatialContact::default() };
+    let options = SolverOptions { spatial_contact, ..SolverOptions::default() };
+    load(&path, None, Profile::default(), options).unwrap_or_else(|fault| panic!("{fault:?}"))
+}
+
+#[test]
+fn masonry_in_space_with_joints_gets_them_inside_bricks_and_between_them() {
+    let wall =
+        Wall3d { bonded: true, cells: [4, 1, 1], bricks: 3, courses: 4, ..Wall3d::default() };
+    let scenarios = [
+        Scenario { wall_3d: Some(wall), ..Scenario::default() },
+        Scenario::of_kind("bridge_3d").expect("a bridge"),
+    ];
+    for scenario in scenarios {
+        let generated = scenario.generate_in_space().expect("masonry");
+        let deck = read(&generated.deck.to_text());
+        assert!(deck.findings.is_empty(), "{:?}", deck.findings);
+        let simulation =
+            deck.simulation.and_then(AnySimulation::into_spatial).expect("a simulation");
+        let mut laws = [0; 2];
+        for joint in face_joint_views(&simulation) {
+            laws[joint.law] += 1;
+        }
+        let (model, mut expected) = (&generated.model, [0; 2]);
+        for sides in model.mesh.faces().values() {
+            if let [a, b] = sides[..] {
+                let [a, b] = [a, b].map(|side| model.mesh.tetrahedra[side]);
+                let strong = |t: usize| model.substances[t].bond == Bond::Strong;
+                let mortar = a.block != b.block && !strong(a.material) && !strong(b.material);
+                expected[usize::from(mortar)] += 1;
+            }
+        }
+        assert_eq!(laws, expected, "joints inside and of mortar: {}", model.title);
+        assert!(expected[1] > 100);
+    }
+}
+
+#[test]
+fn structures_in_space_and_in_the_plane_are_not_taken_for_each_other() {
+    let cube = Scenario::of_kind("cube_3d").expect("a cube");
+    assert!(cube.generate().expect_err("in space").to_string().contains("[cube_3d]"));
+    let square = Scenario::of_kind("cube").expect("a square");
+    assert!(square.generate_in_space().expect_err("in the plane").to_string().contains("[cube]"));
+    let loads = vec![Load::Point { force_n: 1.0, x_m: 0.0 }];
+    let error = Scenario { loads, ..cube }.generate_in_space().expect_err("loads");
+    assert!(error.to_string().contains("in the plane only"), "{error}");
 }
 
 /// Sum of the downward forces on all nodes at an instant. Outside of a table the factor is 1.
@@ -262,23 +312,34 @@ fn abrupt_loads_are_there_from_the_first_step_on() {
 #[test]
 fn every_kind_makes_a_deck_that_can_be_run_and_made_again() {
     for (kind, _) in Scenario::KINDS {
-        let generated = Scenario::of_kind(kind).expect(kind).generate().expect(kind);
-        let text = generated.deck.to_text();
-        let deck = loaded(&generated);
+        let generated = Scenario::of_kind(kind).expect(kind).generate_any().expect(kind);
+        let text = generated.deck().to_text();
+        let deck = read(&text);
         assert!(deck.findings.is_empty(), "{kind}: {:?}", deck.findings);
-        let mut simulation =
-            deck.simulation.and_then(AnySimulation::into_plane).expect("a simulation");
-        for _ in 0..20 {
-            simulation.evaluate_forces();
-            simulation.advance();
-        }
+        let energy = match deck.simulation.expect("a simulation") {
+            AnySimulation::Plane(mut simulation) => {
+                for _ in 0..20 {
+                    simulation.evaluate_forces();
+                    simulation.advance();
+                }
+                simulation.sum_kinetic_energy()
+            }
+            AnySimulation::Spatial(mut simulation) => {
+                for _ in 0..20 {
+                    simulation.evaluate_forces();
+                    simulation.advance();
+                }
+                simulation.previous_kinetic_energy()
+            }
+        };
+        assert!(energy.is_finite(), "{kind}");
         // the header holds the scenario
         let lines = text
             .lines()
             .map_while(|line| Some(line.strip_prefix("/*")?.strip_suffix("*/")?.trim().to_owned()));
         let header: Vec<String> = lines.skip(3).take_while(|line| line != "control").collect();
         let again = Scenario::parse(&header.join("\n")).unwrap_or_else(|e| panic!("{kind}: {e}"));
-        assert_eq!(again.generate().expect(kind).deck.to_text(), text, "{kind}");
+        assert_eq!(again.generate_any().expect(kind).deck().to_text(), text, "{kind}");
     }
 }
 

@@ -13,9 +13,10 @@ use std::{
 use support::spoilt_deck::{base_of, edit, write};
 use tempfile::TempDir;
 use ypsilon::{
-    scene::Profile,
+    meshing::{Scenario, spatial::kinds::Wall3d},
+    scene::{PressedFaces, Profile, SpatialContact},
     session::{Checkpoint, Checkpoints, Format, RunOptions, RunSummary, Silent, load, run_with},
-    simulation::{SolverOptions, SpatialSimulation, SpatialState},
+    simulation::{AnySimulation, SolverOptions, SpatialSimulation, SpatialState},
     team::Team,
 };
 
@@ -268,4 +269,30 @@ fn vtu_files_hold_tetrahedra_and_wedges() {
         let _ = write!(said, "\n== {name}\n{head}");
     }
     assert_snapshot!(said);
+}
+
+/// A dry wall in English bond with friction: couples, springs and all.
+#[test]
+fn a_masonry_wall_moves_alike_on_1_2_3_and_8_threads() {
+    let wall =
+        Wall3d { bricks: 10, courses: 12, settle_s: 0.002, push_s: 0.01, ..Wall3d::default() };
+    let scenario = Scenario { wall_3d: Some(wall), ..Scenario::default() };
+    let deck = scenario.generate_in_space().expect("a wall").deck.to_text();
+    let folder = TempDir::new().expect("a temporary folder");
+    let deck = write(folder.path(), "wall.y", deck.as_bytes());
+    let spatial_contact = SpatialContact { pressed: PressedFaces::Both, has_friction: true };
+    let run = |threads| {
+        let team = Team::new(threads).expect("threads");
+        let options = SolverOptions { spatial_contact, team, ..SolverOptions::default() };
+        let loaded = load(&deck, None, Profile::default(), options).expect("a sound deck");
+        let simulation = loaded.simulation.and_then(AnySimulation::into_spatial);
+        let mut simulation = simulation.expect("a deck in space");
+        assert!(simulation.tetrahedra().count() > 2048);
+        (0..120).for_each(|_| step(&mut simulation));
+        bytes(&simulation)
+    };
+    let alone = run(1);
+    for threads in [2, 3, 8] {
+        assert!(run(threads) == alone, "{threads} threads give other bits");
+    }
 }

@@ -276,7 +276,7 @@ impl Bench {
     fn deck(&self, scenario: &Scenario, name: &str) -> Result<(Generated, PathBuf), CaseError> {
         let generated = scenario.generate()?;
         let deck = self.deck_path(name);
-        session::write_generated(&generated, &deck)?;
+        session::write_generated(&generated.deck, &deck)?;
         Ok((generated, deck))
     }
 }

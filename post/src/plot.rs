@@ -16,6 +16,7 @@ mod outline;
 mod picture;
 mod png;
 mod scale;
+mod solid;
 mod svg;
 mod weld;
 
@@ -24,3 +25,4 @@ pub use contour::{ContourOptions, JointLines, Range, contour};
 pub use curves::{Curve, CurveOptions, Scale, curves, curves_on};
 pub use picture::{Anchor, Picture, Shape};
 pub use scale::{Ticks, prefix};
+pub use solid::{Solid, SolidOptions, solid};

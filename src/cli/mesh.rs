@@ -5,7 +5,10 @@ use super::{
     console::{say, warn},
 };
 use crate::{
-    meshing::{Flag, MeshingError, Scenario, flags, picture, scenario_from_flags},
+    meshing::{
+        AnyGenerated, Flag, MeshingError, Scenario, flags, picture, picture_in_space,
+        scenario_from_flags,
+    },
     session::write_generated,
 };
 use clap::{Arg, ArgAction, ArgMatches, Args, Command, FromArgMatches, value_parser};
@@ -172,7 +175,7 @@ pub(super) fn main(arguments: &MeshArguments) -> Exit {
             Err(error) => fail(&error),
         };
     }
-    let generated = match scenario.generate() {
+    let generated = match scenario.generate_any() {
         Ok(generated) => generated,
         Err(error) => return fail(&error),
     };
@@ -180,15 +183,19 @@ pub(super) fn main(arguments: &MeshArguments) -> Exit {
         warn("error: no file for the deck is given: -o FILE");
         return Exit::Usage;
     };
-    if let Err(error) = write_generated(&generated, output) {
+    if let Err(error) = write_generated(generated.deck(), output) {
         warn(&format!("error: {error}"));
         return Exit::Output;
     }
-    if let Some(path) = &arguments.picture
-        && let Err(error) = picture(&generated, 1200).and_then(|picture| picture.write(path))
-    {
-        warn(&format!("error: {error}"));
-        return Exit::Output;
+    if let Some(path) = &arguments.picture {
+        let drawn = match &generated {
+            AnyGenerated::Plane(generated) => picture(generated, 1200),
+            AnyGenerated::Spatial(generated) => picture_in_space(generated, 1200),
+        };
+        if let Err(error) = drawn.and_then(|picture| picture.write(path)) {
+            warn(&format!("error: {error}"));
+            return Exit::Output;
+        }
     }
     if !arguments.quiet {
         generated.report().iter().for_each(|line| say(line));

@@ -6,12 +6,12 @@ use super::{
 };
 use crate::{
     output::{Monitor, MonitorPlan, OutputError, OutputNames},
-    scene::Profile,
+    scene::{PressedFaces, Profile, SpatialContact},
     session::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
         ScenarioError, StopReason, deck_of_scenario, load, run_with,
     },
-    simulation::{SettlingFault, SettlingOptions, SolverOptions},
+    simulation::{AnySimulation, SettlingFault, SettlingOptions, SolverOptions},
     team::Team,
 };
 use clap::{Args, ValueEnum};
@@ -87,6 +87,13 @@ pub(super) struct RunArguments {
     /// [default: windows]
     #[arg(long, value_enum, conflicts_with = "resume")]
     profile: Option<ProfileName>,
+    /// Faces of touching tetrahedra that are pressed, in decks in three dimensions
+    /// [default: one-sided]
+    #[arg(long, value_enum, conflicts_with = "resume")]
+    contact: Option<ContactName>,
+    /// Let tetrahedra rub: Coulomb friction with D1PEFR and D1PEPT, in decks in three dimensions
+    #[arg(long, conflicts_with = "resume")]
+    contact_friction: bool,
     /// Evaluate every couple in every step (slower, same results)
     #[arg(long, hide_short_help = true)]
     no_skip: bool,
@@ -113,6 +120,24 @@ impl From<ProfileName> for Profile {
     }
 }
 
+/// Laws of contact of tetrahedra.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum ContactName {
+    /// The original's: faces of the element with the higher number
+    OneSided,
+    /// Faces of both, with a potential: keeps energy, no matter how elements are numbered
+    TwoSided,
+}
+
+impl From<ContactName> for PressedFaces {
+    fn from(name: ContactName) -> Self {
+        match name {
+            ContactName::OneSided => Self::Contactor,
+            ContactName::TwoSided => Self::Both,
+        }
+    }
+}
+
 pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
     name.parse().map_err(|_| {
         let names: Vec<&str> = Dialect::ALL.iter().map(|d| d.name()).collect();
@@ -127,6 +152,14 @@ impl RunArguments {
             tolerance: self.settle_tolerance,
             most_iterations: self.settle_steps,
         })
+    }
+
+    /// The law of contact of tetrahedra.
+    fn spatial_contact(&self) -> SpatialContact {
+        SpatialContact {
+            pressed: self.contact.map(PressedFaces::from).unwrap_or_default(),
+            has_friction: self.contact_friction,
+        }
     }
 
     /// The checkpoint to go on from.
@@ -169,6 +202,7 @@ impl RunArguments {
                 legacy_d3plot: self.legacy_d3plot,
                 profile: profile.unwrap_or_default(),
                 dialect: self.dialect.map(given),
+                spatial_contact: self.spatial_contact(),
             },
             Some(earlier) => RunSettings {
                 formats: self.formats.clone().unwrap_or_else(|| earlier.formats.clone()),
@@ -212,11 +246,26 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
     };
     let settings = arguments.settings(resume.as_ref());
     let dialect = settings.dialect.as_deref().and_then(|name| name.parse::<Dialect>().ok());
-    let solver = SolverOptions { skip_separated_couples: !arguments.no_skip, team };
+    let solver = SolverOptions {
+        skip_separated_couples: !arguments.no_skip,
+        spatial_contact: settings.spatial_contact,
+        team,
+    };
     let loaded = match load(&deck, dialect, settings.profile, solver) {
         Ok(loaded) => loaded,
         Err(fault) => return deck_report::print_fault(&fault, arguments.quiet),
     };
+    if let Some(AnySimulation::Plane(_)) = &loaded.simulation
+        && settings.spatial_contact != SpatialContact::default()
+    {
+        warn(&format!(
+            "error: --contact and --contact-friction choose how tetrahedra touch, but {} is a deck \
+             in the plane (NNODIM 2): leave them out. Triangles always press each other's edges, \
+             with the friction of the deck",
+            deck.display()
+        ));
+        return Exit::Usage;
+    }
     interrupt::install();
     let options = RunOptions {
         deck,
@@ -234,6 +283,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         at_end: arguments.checkpoint || every.is_some() || resume.is_some(),
         every,
         dialect: settings.dialect,
+        spatial_contact: settings.spatial_contact,
         resume,
     };
     let outcome = if arguments.quiet {

@@ -8,10 +8,15 @@ use std::collections::{BTreeMap, BTreeSet};
 /// The block with the most differently coloured neighbours comes next and takes the first colour
 /// that is free (Brélaz). Masonry needs three or four.
 pub(super) fn colours(mesh: &Mesh) -> Vec<usize> {
-    let neighbours = neighbours(mesh);
-    let mut colours: Vec<Option<usize>> = vec![None; mesh.blocks];
-    let mut forbidden: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); mesh.blocks];
-    let mut open: BTreeSet<usize> = (0..mesh.blocks).collect();
+    colour(&neighbours(mesh))
+}
+
+/// A colour for each of some things such that neighbours have different ones.
+pub(super) fn colour(neighbours: &[BTreeSet<usize>]) -> Vec<usize> {
+    let count = neighbours.len();
+    let mut colours: Vec<Option<usize>> = vec![None; count];
+    let mut forbidden: Vec<BTreeSet<usize>> = vec![BTreeSet::new(); count];
+    let mut open: BTreeSet<usize> = (0..count).collect();
     while let Some(&block) = open
         .iter()
         .max_by_key(|&&b| (forbidden[b].len(), neighbours[b].len(), std::cmp::Reverse(b)))

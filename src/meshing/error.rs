@@ -73,6 +73,36 @@ pub enum MeshingError {
         /// Ordinate of the other end \[m\].
         y1: f64,
     },
+    /// A tetrahedron that was turned inside out.
+    #[error("the tetrahedron at ({x:.3}, {y:.3}, {z:.3}) has the volume {volume:.3e} m³")]
+    FlatTetrahedron {
+        /// Place of its first node along \[m\].
+        x: f64,
+        /// Across \[m\].
+        y: f64,
+        /// Up \[m\].
+        z: f64,
+        /// Its volume \[m³\].
+        volume: f64,
+    },
+    /// Tetrahedra that overlap.
+    #[error("more than two tetrahedra share a face at ({x:.3}, {y:.3}, {z:.3})")]
+    OverlapInSpace {
+        /// Place of one of its nodes along \[m\].
+        x: f64,
+        /// Across \[m\].
+        y: f64,
+        /// Up \[m\].
+        z: f64,
+    },
+    /// Tetrahedra fill more or less than they should.
+    #[error("the tetrahedra fill {filled} m³ instead of {expected} m³")]
+    Fill {
+        /// What they fill \[m³\].
+        filled: f64,
+        /// What they should fill \[m³\].
+        expected: f64,
+    },
     /// Parts that hang together nowhere.
     #[error("the mesh falls into {parts} parts instead of {expected}")]
     Parts {

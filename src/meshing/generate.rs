@@ -5,6 +5,8 @@ use super::{
     model::Model,
     node_sets::NodeSets,
     property_sets::PropertySets,
+    scenario::AnyKind,
+    spatial::SpatialGenerated,
     stability::TimeStepBounds,
     write_deck::{self, Times},
 };
@@ -112,15 +114,49 @@ impl Generated {
 }
 
 impl Scenario {
-    /// Makes the deck.
+    /// Makes the deck of a structure in the plane.
     ///
     /// # Errors
-    /// If a parameter has no sense, the mesh is not sound, or the forces of the deck do not amount
-    /// to the loads.
+    /// If a parameter has no sense, the mesh is not sound, the forces of the deck do not amount
+    /// to the loads, or the structure is one in space.
     pub fn generate(&self) -> Result<Generated, MeshingError> {
         self.check()?;
-        let (_, kind) = self.kind()?;
-        let mut model = kind.model()?;
+        match self.kind()? {
+            (_, AnyKind::Plane(kind)) => self.in_plane(kind.model()?),
+            (name, AnyKind::Spatial(_)) => Err(MeshingError::Scenario(format!(
+                "[{name}] is a structure in space, where one in the plane is needed"
+            ))),
+        }
+    }
+
+    /// Makes the deck of a structure in space.
+    ///
+    /// # Errors
+    /// As [`Scenario::generate`], and if the structure is one in the plane.
+    pub fn generate_in_space(&self) -> Result<SpatialGenerated, MeshingError> {
+        self.check()?;
+        match self.kind()? {
+            (_, AnyKind::Spatial(kind)) => SpatialGenerated::of(self, kind.model()?),
+            (name, AnyKind::Plane(_)) => Err(MeshingError::Scenario(format!(
+                "[{name}] is a structure in the plane, where one in space is needed"
+            ))),
+        }
+    }
+
+    /// Makes the deck, in the plane or in space.
+    ///
+    /// # Errors
+    /// As [`Scenario::generate`].
+    pub fn generate_any(&self) -> Result<AnyGenerated, MeshingError> {
+        match self.kind()? {
+            (_, AnyKind::Plane(_)) => Ok(AnyGenerated::Plane(Box::new(self.generate()?))),
+            (_, AnyKind::Spatial(_)) => {
+                Ok(AnyGenerated::Spatial(Box::new(self.generate_in_space()?)))
+            }
+        }
+    }
+
+    fn in_plane(&self, mut model: Model) -> Result<Generated, MeshingError> {
         if let Some(title) = &self.title {
             model.title.clone_from(title);
         }
@@ -133,21 +169,50 @@ impl Scenario {
         let bounds = TimeStepBounds::of(&model, &properties);
         let step_s = self.run.step_s.unwrap_or_else(|| bounds.suggestion_s());
         let times = Times { step_s, end_s, output_s: self.run.output_s.unwrap_or(end_s / 40.0) };
-        let header = self.header(&model)?;
+        let header = header(self, &model.title)?;
         let deck = write_deck::deck(&header, &model, &properties, &node_sets, times, self.run);
         Ok(Generated { deck, model, properties, node_sets, bounds, step_s, end_s })
     }
+}
 
-    /// Comments that say how the deck was made.
-    fn header(&self, model: &Model) -> Result<Vec<String>, MeshingError> {
-        let text = toml::to_string(self).map_err(|e| MeshingError::Scenario(e.to_string()))?;
-        let mut lines = vec![
-            format!("{MARK} {}", env!("CARGO_PKG_VERSION")),
-            model.title.clone(),
-            "from this scenario:".to_owned(),
-        ];
-        let lined = text.lines().filter(|line| !line.trim().is_empty());
-        lines.extend(lined.map(|line| line.replace("*/", "* /")));
-        Ok(lines)
+/// Comments that say how the deck of a scenario was made.
+pub(super) fn header(scenario: &Scenario, title: &str) -> Result<Vec<String>, MeshingError> {
+    let text = toml::to_string(scenario).map_err(|e| MeshingError::Scenario(e.to_string()))?;
+    let mut lines = vec![
+        format!("{MARK} {}", env!("CARGO_PKG_VERSION")),
+        title.to_owned(),
+        "from this scenario:".to_owned(),
+    ];
+    let lined = text.lines().filter(|line| !line.trim().is_empty());
+    lines.extend(lined.map(|line| line.replace("*/", "* /")));
+    Ok(lines)
+}
+
+/// A deck in the plane or in space.
+#[derive(Debug, Clone)]
+pub enum AnyGenerated {
+    /// Of triangles.
+    Plane(Box<Generated>),
+    /// Of tetrahedra.
+    Spatial(Box<SpatialGenerated>),
+}
+
+impl AnyGenerated {
+    /// The deck.
+    #[must_use]
+    pub fn deck(&self) -> &Deck {
+        match self {
+            Self::Plane(generated) => &generated.deck,
+            Self::Spatial(generated) => &generated.deck,
+        }
+    }
+
+    /// What is worth telling about the deck, one line each.
+    #[must_use]
+    pub fn report(&self) -> Vec<String> {
+        match self {
+            Self::Plane(generated) => generated.report(),
+            Self::Spatial(generated) => generated.report(),
+        }
     }
 }

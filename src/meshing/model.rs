@@ -51,24 +51,24 @@ pub enum Drive {
     Velocity(f64),
 }
 
-/// What moves a node: both directions share the history.
+/// What moves a node of a mesh in so many dimensions: all directions share the history.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Motion {
-    /// Horizontally and vertically.
-    pub drives: [Drive; 2],
+pub struct Motion<const D: usize = 2> {
+    /// Along each axis.
+    pub drives: [Drive; D],
     /// The same in the second stage, if that differs.
-    pub later: Option<[Drive; 2]>,
-    /// Factor of both over time; empty for a constant 1.
+    pub later: Option<[Drive; D]>,
+    /// Factor of all over time; empty for a constant 1.
     pub history: History,
 }
 
-impl Motion {
+impl<const D: usize> Motion<D> {
     /// No force from outside.
-    pub const FREE: Motion =
-        Motion { drives: [Drive::Force(0.0); 2], later: None, history: Vec::new() };
+    pub const FREE: Self =
+        Motion { drives: [Drive::Force(0.0); D], later: None, history: Vec::new() };
     /// At rest for ever.
-    pub const CLAMPED: Motion =
-        Motion { drives: [Drive::Velocity(0.0); 2], later: None, history: Vec::new() };
+    pub const CLAMPED: Self =
+        Motion { drives: [Drive::Velocity(0.0); D], later: None, history: Vec::new() };
 }
 
 /// A mesh with all that a deck needs but times and loads.
@@ -106,13 +106,13 @@ pub struct Model {
 
 /// Named nodes with their motion.
 #[derive(Debug, Clone, PartialEq)]
-pub struct Support {
+pub struct Support<const D: usize = 2> {
     /// Name, for comments.
     pub name: String,
     /// The nodes.
     pub nodes: Vec<usize>,
     /// What moves them.
-    pub motion: Motion,
+    pub motion: Motion<D>,
 }
 
 impl Model {

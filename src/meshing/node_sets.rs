@@ -21,11 +21,11 @@ pub struct NodeSets {
 
 /// Nodes that move alike.
 #[derive(Debug, Clone, PartialEq)]
-pub struct NodeSet {
+pub struct NodeSet<const D: usize = 2> {
     /// Name, for comments.
     pub name: String,
     /// What moves them.
-    pub motion: Motion,
+    pub motion: Motion<D>,
 }
 
 /// What the loads amount to at one instant.
@@ -171,7 +171,9 @@ fn apply(
 }
 
 /// Makes a set of nodes that move alike; free ones are set 0.
-fn gather(own: Vec<(String, Motion)>) -> (Vec<NodeSet>, Vec<usize>) {
+pub(super) fn gather<const D: usize>(
+    own: Vec<(String, Motion<D>)>,
+) -> (Vec<NodeSet<D>>, Vec<usize>) {
     let mut sets = vec![NodeSet { name: "free".to_owned(), motion: Motion::FREE }];
     let of_node = own
         .into_iter()
@@ -197,7 +199,7 @@ fn union<'a>(histories: impl IntoIterator<Item = &'a History>) -> Vec<f64> {
 }
 
 /// Instants of the tables, from 0 to beyond the end: outside a table the factor is 1.
-fn instants(sets: &[NodeSet], end_s: f64) -> Vec<f64> {
+pub(super) fn instants<const D: usize>(sets: &[NodeSet<D>], end_s: f64) -> Vec<f64> {
     let mut times = union(sets.iter().map(|set| &set.motion.history));
     if times.is_empty() {
         return times;

@@ -1,10 +1,10 @@
 //! Pictures of meshes.
 
-use super::Generated;
+use super::{Generated, SpatialGenerated};
 use ypsilon_post::{
     PostError,
     field::Field,
-    plot::{ContourOptions, JointLines, Picture, contour},
+    plot::{ContourOptions, JointLines, Picture, Solid, SolidOptions, contour, solid},
     results::Frame,
 };
 
@@ -29,4 +29,28 @@ pub fn picture(generated: &Generated, width: u32) -> Result<Picture, PostError> 
         ..ContourOptions::new(Field::Material)
     };
     contour(&frame, &options)
+}
+
+/// Draws tetrahedra as they are seen from the front, coloured by their blocks.
+///
+/// # Errors
+/// If the width makes no sense.
+pub fn picture_in_space(generated: &SpatialGenerated, width: u32) -> Result<Picture, PostError> {
+    let mesh = &generated.model.mesh;
+    // neighbours' numbers are close: a factor that shares nothing with small numbers parts them
+    let value = |block: usize| (block * 5 % 11) as f64;
+    let shown = Solid {
+        points: mesh.nodes.clone(),
+        tetrahedra: mesh.tetrahedra.iter().map(|t| t.nodes).collect(),
+        values: mesh.tetrahedra.iter().map(|t| value(t.block)).collect(),
+    };
+    let options = SolidOptions {
+        title: generated.model.title.clone(),
+        quantity: "block × 5 modulo 11".to_owned(),
+        unit: String::new(),
+        range: None,
+        from_deg: [-25.0, 20.0],
+        width,
+    };
+    solid(&shown, &options)
 }

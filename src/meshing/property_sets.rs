@@ -2,7 +2,7 @@
 
 use super::{
     colouring::{SMALL, colours, mean_heights},
-    model::{Bond, Model},
+    model::{Bond, Model, Substance},
     properties::Material,
 };
 
@@ -67,11 +67,17 @@ impl PropertySets {
     /// The joint set between two property sets; none where they are not bonded.
     #[must_use]
     pub fn joint_between(&self, model: &Model, p: usize, q: usize) -> Option<usize> {
+        model.joints.as_ref().and_then(|_| self.joint_of(&model.substances, p, q))
+    }
+
+    /// The same for a model with joints, of which only the substances are known.
+    pub(super) fn joint_of(&self, substances: &[Substance], p: usize, q: usize) -> Option<usize> {
         let (a, b) = (self.sets[p], self.sets[q]);
-        if !model.bonded(a.substance) || !model.bonded(b.substance) {
+        let bond = |set: &PropertySet| substances[set.substance].bond;
+        if bond(&a) == Bond::Continuous || bond(&b) == Bond::Continuous {
             return None;
         }
-        let strong = |set: &PropertySet| model.substances[set.substance].bond == Bond::Strong;
+        let strong = |set: &PropertySet| bond(set) == Bond::Strong;
         let same = (a.substance, a.colour) == (b.substance, b.colour);
         Some(if same || strong(&a) || strong(&b) { INSIDE } else { MORTAR })
     }

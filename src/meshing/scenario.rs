@@ -8,6 +8,10 @@ use super::{
     loads::{Load, Staging},
     model::Model,
     properties::{count, not_negative, positive},
+    spatial::{
+        SpatialModel,
+        kinds::{BlockOnPlane3d, Bridge3d, Cube3d, TwoBars3d, TwoCubes3d, Wall3d},
+    },
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -61,6 +65,24 @@ pub struct Scenario {
     /// The structure: dominoes that topple one after the other.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub dominoes: Option<Dominoes>,
+    /// The structure in space: a box that is deformed in a known way, pressed, or left to its weight.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub cube_3d: Option<Cube3d>,
+    /// The structure in space: a block that slides on a plane.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub block_on_plane_3d: Option<BlockOnPlane3d>,
+    /// The structure in space: two cubes that collide.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub two_cubes_3d: Option<TwoCubes3d>,
+    /// The structure in space: two bars with a gap that a force closes.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub two_bars_3d: Option<TwoBars3d>,
+    /// The structure in space: a wall of bricks that is pushed.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub wall_3d: Option<Wall3d>,
+    /// The structure in space: an arch bridge of masonry.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub bridge_3d: Option<Bridge3d>,
     /// Times, contact and output of the run.
     pub run: RunTimes,
     /// When and how fast loads come.
@@ -119,24 +141,57 @@ pub trait Kind {
     fn model(&self) -> Result<Model, MeshingError>;
 }
 
+/// A structure in space that a generator makes.
+pub trait SpatialKind {
+    /// The structure's model: mesh, materials, supports.
+    ///
+    /// # Errors
+    /// If a parameter has no sense.
+    fn model(&self) -> Result<SpatialModel, MeshingError>;
+}
+
+/// A structure in the plane or in space.
+#[derive(Clone, Copy)]
+pub enum AnyKind<'a> {
+    /// Of triangles.
+    Plane(&'a dyn Kind),
+    /// Of tetrahedra.
+    Spatial(&'a dyn SpatialKind),
+}
+
 macro_rules! kinds {
-    ($($field:ident: $kind:ty, $title:literal;)*) => {
+    (
+        plane { $($field:ident: $kind:ty, $title:literal;)* }
+        space { $($spatial_field:ident: $spatial:ty, $spatial_title:literal;)* }
+    ) => {
         $(impl Kind for $kind {
             fn model(&self) -> Result<Model, MeshingError> {
                 <$kind>::model(self)
             }
         })*
 
+        $(impl SpatialKind for $spatial {
+            fn model(&self) -> Result<SpatialModel, MeshingError> {
+                <$spatial>::model(self)
+            }
+        })*
+
         impl Scenario {
             /// Kinds of structures: how scenario files call them, and what they are.
             pub const KINDS: &'static [(&'static str, &'static str)] =
-                &[$((stringify!($field), $title)),*];
+                &[
+                    $((stringify!($field), $title),)*
+                    $((stringify!($spatial_field), $spatial_title),)*
+                ];
 
             /// Structures that are described here; a scenario has one.
-            fn kinds(&self) -> Vec<(&'static str, &dyn Kind)> {
-                let mut found: Vec<(&'static str, &dyn Kind)> = Vec::new();
+            fn kinds(&self) -> Vec<(&'static str, AnyKind<'_>)> {
+                let mut found = Vec::new();
                 $(if let Some(kind) = &self.$field {
-                    found.push((stringify!($field), kind));
+                    found.push((stringify!($field), AnyKind::Plane(kind)));
+                })*
+                $(if let Some(kind) = &self.$spatial_field {
+                    found.push((stringify!($spatial_field), AnyKind::Spatial(kind)));
                 })*
                 found
             }
@@ -149,6 +204,10 @@ macro_rules! kinds {
                         $field: Some(<$kind>::default()),
                         ..Scenario::default()
                     }),)*
+                    $(stringify!($spatial_field) => Some(Scenario {
+                        $spatial_field: Some(<$spatial>::default()),
+                        ..Scenario::default()
+                    }),)*
                     _ => None,
                 }
             }
@@ -157,16 +216,26 @@ macro_rules! kinds {
 }
 
 kinds! {
-    bridge: Bridge, "arch bridge of masonry with spandrels, footings and soil";
-    wall: Wall, "wall of bricks in running bond between two beams, loaded and sheared";
-    block_on_plane: BlockOnPlane, "block that slides on a plane";
-    two_blocks: TwoBlocks, "two blocks in line that collide";
-    two_bars: TwoBars, "two bars with a gap that a force closes";
-    column: Column, "dry blocks on top of each other";
-    cube: Cube, "square that is deformed in a known way, pressed, or left to its weight";
-    arch: Arch, "circular arch of dry voussoirs between two held blocks";
-    rocking_block: RockingBlock, "slender block that is tilted and let go on a plane";
-    dominoes: Dominoes, "row of dominoes, the first one pushed";
+    plane {
+        bridge: Bridge, "arch bridge of masonry with spandrels, footings and soil";
+        wall: Wall, "wall of bricks in running bond between two beams, loaded and sheared";
+        block_on_plane: BlockOnPlane, "block that slides on a plane";
+        two_blocks: TwoBlocks, "two blocks in line that collide";
+        two_bars: TwoBars, "two bars with a gap that a force closes";
+        column: Column, "dry blocks on top of each other";
+        cube: Cube, "square that is deformed in a known way, pressed, or left to its weight";
+        arch: Arch, "circular arch of dry voussoirs between two held blocks";
+        rocking_block: RockingBlock, "slender block that is tilted and let go on a plane";
+        dominoes: Dominoes, "row of dominoes, the first one pushed";
+    }
+    space {
+        cube_3d: Cube3d, "box in space that is deformed in a known way, pressed, or left to its weight";
+        block_on_plane_3d: BlockOnPlane3d, "block that slides on a plane, in space";
+        two_cubes_3d: TwoCubes3d, "two cubes in line that collide, in space";
+        two_bars_3d: TwoBars3d, "two bars with a gap that a force closes, in space";
+        wall_3d: Wall3d, "wall of bricks with leaves and headers, pushed at its top, in space";
+        bridge_3d: Bridge3d, "arch bridge of masonry with bricks staggered across its depth, in space";
+    }
 }
 
 impl Scenario {
@@ -192,7 +261,7 @@ impl Scenario {
     ///
     /// # Errors
     /// If none or more than one is described.
-    pub fn kind(&self) -> Result<(&'static str, &dyn Kind), MeshingError> {
+    pub fn kind(&self) -> Result<(&'static str, AnyKind<'_>), MeshingError> {
         let found = self.kinds();
         let names = |kinds: &[(&'static str, &str)]| {
             kinds.iter().map(|(name, _)| format!("[{name}]")).collect::<Vec<_>>().join(", ")

@@ -49,6 +49,11 @@ impl TimeStepBounds {
             let speed = ((material.lambda() + 2.0 * material.mu()) / material.density_kg_m3).sqrt();
             wave_s = wave_s.min(model.mesh.height(triangle) / speed);
         }
+        Self::from_modes(wave_s, stiffness, damping)
+    }
+
+    /// Bounds from the largest squared angular frequency and damping rate.
+    pub(super) fn from_modes(wave_s: f64, stiffness: f64, damping: f64) -> Self {
         // ω² dt² + 2 γ dt = 4, without cancellation
         let root = (damping * damping + 4.0 * stiffness).sqrt();
         TimeStepBounds {

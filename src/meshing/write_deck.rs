@@ -1,8 +1,8 @@
 //! The deck of a model.
 
 use super::{
-    model::{Drive, Model},
-    node_sets::NodeSets,
+    model::{Bond, Drive, Model, Substance},
+    node_sets::{NodeSet, NodeSets},
     properties::Joint,
     property_sets::PropertySets,
     scenario::RunTimes,
@@ -49,18 +49,18 @@ pub(super) fn deck(
     builder = elements(builder, model, properties);
     builder = contact(builder, model, run);
     builder = builder.comment("history 0: kinetic energy").kinetic_energy_history(5e-4);
-    builder = materials(builder, properties);
+    builder = materials(builder, properties, 1);
     if let Some(joints) = &model.joints {
-        builder = joint_sets(builder, [&joints.inside, &joints.mortar]);
-        builder = insertion(builder, model, properties);
+        builder = joint_sets(builder, [&joints.inside, &joints.mortar], 3);
+        builder = insertion(builder, &model.substances, properties);
     }
-    builder = conditions(builder, node_sets);
+    builder = conditions(builder, &node_sets.sets, &node_sets.instants);
     if model.second_stage_s.is_some() {
         builder = builder
             .run()
             .comment("second stage")
             .integer("YDC/MCSTEP", times.steps(times.end_s) + 1);
-        builder = drives(builder, node_sets, true);
+        builder = drives(builder, &node_sets.sets, true);
     }
     builder.run().stop().build()
 }
@@ -172,11 +172,12 @@ fn contact(builder: DeckBuilder, model: &Model, run: RunTimes) -> DeckBuilder {
 }
 
 /// Two significant digits.
-fn round(value: f64) -> f64 {
+pub(super) fn round(value: f64) -> f64 {
     format!("{value:.1e}").parse().unwrap_or(value)
 }
 
-fn materials(builder: DeckBuilder, properties: &PropertySets) -> DeckBuilder {
+/// Property sets; `kind` is the type of their elements.
+pub(super) fn materials(builder: DeckBuilder, properties: &PropertySets, kind: i64) -> DeckBuilder {
     let sets = &properties.sets;
     let n = sets.len();
     let each = |value: fn(&super::property_sets::PropertySet) -> f64| {
@@ -196,10 +197,11 @@ fn materials(builder: DeckBuilder, properties: &PropertySets) -> DeckBuilder {
         .reals("YDPE/D1PSEM", vec![0.0; n])
         .integers("YDPE/I1PEMB", vec![1; n])
         .integers("YDPE/I1PSDE", vec![0; n])
-        .integers("YDPE/I1PTYP", vec![1; n])
+        .integers("YDPE/I1PTYP", vec![kind; n])
 }
 
-fn joint_sets(builder: DeckBuilder, joints: [&Joint; 2]) -> DeckBuilder {
+/// Joint sets; `kind` is the type of their elements.
+pub(super) fn joint_sets(builder: DeckBuilder, joints: [&Joint; 2], kind: i64) -> DeckBuilder {
     let each = |value: fn(&Joint) -> f64| joints.iter().map(|joint| value(joint)).collect();
     builder
         .comment("joint sets: 0 inside blocks, 1 mortar")
@@ -212,26 +214,30 @@ fn joint_sets(builder: DeckBuilder, joints: [&Joint; 2]) -> DeckBuilder {
         .reals("YDPJ/D1PJPE", each(|joint| joint.penalty_pa))
         .reals("YDPJ/D1PJGF", each(|joint| joint.fracture_energy_n_m))
         .integers("YDPJ/I1PSDE", vec![0; 2])
-        .integers("YDPJ/I1PTYP", vec![3; 2])
+        .integers("YDPJ/I1PTYP", vec![kind; 2])
 }
 
 /// One record for all bonded property sets, and a row for every pair of them.
-fn insertion(builder: DeckBuilder, model: &Model, properties: &PropertySets) -> DeckBuilder {
+pub(super) fn insertion(
+    builder: DeckBuilder,
+    substances: &[Substance],
+    properties: &PropertySets,
+) -> DeckBuilder {
     let bonded: Vec<usize> = (0..properties.sets.len())
-        .filter(|&set| model.bonded(properties.sets[set].substance))
+        .filter(|&set| substances[properties.sets[set].substance].bond != Bond::Continuous)
         .collect();
     let mut record = vec![length(bonded.len()), 3];
     record.extend(bonded.iter().map(|&set| length(set)));
     let mut rows = Vec::new();
     for (k, &p) in bonded.iter().enumerate() {
         for &q in &bonded[k..] {
-            if let Some(joint) = properties.joint_between(model, p, q) {
+            if let Some(joint) = properties.joint_of(substances, p, q) {
                 rows.extend([length(p), length(q), length(joint)]);
             }
         }
     }
     builder
-        .comment("joints between all triangles of the property sets of this record")
+        .comment("joints between all elements of the property sets of this record")
         .integer("YDPM/MPMCOM", 1)
         .integer("YDPM/MPMCOL", length(record.len()))
         .integers2("YDPM/I2PMSET", record.len(), record)
@@ -239,15 +245,19 @@ fn insertion(builder: DeckBuilder, model: &Model, properties: &PropertySets) -> 
         .integers2("YDPM/I2PMIJ", 3, rows)
 }
 
-fn conditions(builder: DeckBuilder, node_sets: &NodeSets) -> DeckBuilder {
-    let n = node_sets.sets.len();
+/// Node sets with their load-time tables.
+pub(super) fn conditions<const D: usize>(
+    builder: DeckBuilder,
+    sets: &[NodeSet<D>],
+    instants: &[f64],
+) -> DeckBuilder {
+    let n = sets.len();
     let mut builder = builder
         .comment("node sets")
         .integer("YDPN/MPNSET", length(n))
         .integer("YDPN/NPNSET", length(n));
-    let instants = &node_sets.instants;
     if !instants.is_empty() {
-        let tables = node_sets.sets.iter().flat_map(|set| {
+        let tables = sets.iter().flat_map(|set| {
             let history = &set.motion.history;
             instants.iter().flat_map(|&t| [t, super::loads::value(history, t)])
         });
@@ -256,12 +266,16 @@ fn conditions(builder: DeckBuilder, node_sets: &NodeSets) -> DeckBuilder {
             .integer("YDPN/NPNFACT", length(instants.len()))
             .reals3("YDPN/D3PNFAC", [2, n, instants.len()], tables.collect());
     }
-    drives(builder, node_sets, false)
+    drives(builder, sets, false)
 }
 
-fn drives(builder: DeckBuilder, node_sets: &NodeSets, second: bool) -> DeckBuilder {
+fn drives<const D: usize>(
+    mut builder: DeckBuilder,
+    sets: &[NodeSet<D>],
+    second: bool,
+) -> DeckBuilder {
     let axis = |k: usize| {
-        node_sets.sets.iter().map(move |set| match (second, set.motion.later) {
+        sets.iter().map(move |set| match (second, set.motion.later) {
             (true, Some(later)) => later[k],
             _ => set.motion.drives[k],
         })
@@ -273,13 +287,15 @@ fn drives(builder: DeckBuilder, node_sets: &NodeSets, second: bool) -> DeckBuild
     let amplitude = |drive| match drive {
         Drive::Force(amount) | Drive::Velocity(amount) => amount,
     };
+    for (k, name) in ["YDPN/I1PNFX", "YDPN/I1PNFY", "YDPN/I1PNFZ"].into_iter().take(D).enumerate() {
+        builder = builder.integers(name, axis(k).map(code).collect());
+    }
+    for (k, name) in ["YDPN/D1PNAX", "YDPN/D1PNAY", "YDPN/D1PNAZ"].into_iter().take(D).enumerate() {
+        builder = builder.reals(name, axis(k).map(amplitude).collect());
+    }
     builder
-        .integers("YDPN/I1PNFX", axis(0).map(code).collect())
-        .integers("YDPN/I1PNFY", axis(1).map(code).collect())
-        .reals("YDPN/D1PNAX", axis(0).map(amplitude).collect())
-        .reals("YDPN/D1PNAY", axis(1).map(amplitude).collect())
 }
 
-fn length(n: usize) -> i64 {
+pub(super) fn length(n: usize) -> i64 {
     i64::try_from(n).unwrap_or(i64::MAX)
 }

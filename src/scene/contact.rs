@@ -1,4 +1,5 @@
 use super::ContactSelection;
+use serde::{Deserialize, Serialize};
 
 /// Penalties and friction of a pair of materials.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -52,7 +53,7 @@ pub enum FrictionModel {
 }
 
 /// Which faces of two tetrahedra are pressed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum PressedFaces {
     /// Those of the element with the higher number, as in the original (spec `y2d3d.md` E.4).
     #[default]
@@ -63,7 +64,7 @@ pub enum PressedFaces {
 }
 
 /// Contact of tetrahedra beyond the original's law. The default is that law.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub struct SpatialContact {
     /// Which faces are pressed.
     pub pressed: PressedFaces,

@@ -90,19 +90,22 @@ pub fn load(
     let names = OutputNames::new(path, Path::new(""));
     let found = |finding| anchored(finding, &deck, first);
     let built = if is_spatial(&deck, &database) {
-        let built = spatial_from_deck(&deck, &database, names.base(), profile);
+        let built =
+            spatial_from_deck(&deck, &database, names.base(), profile, options.spatial_contact);
         findings.extend(built.findings.into_iter().map(found));
-        built.scene.map(|scene| spatial(scene, options))
+        built.scene.map(|scene| spatial(scene, options.clone()))
     } else {
         let built = from_deck(&deck, &database, names.base(), profile);
         findings.extend(built.findings.into_iter().map(found));
-        built.scene.map(|scene| plane(scene, options))
+        built.scene.map(|scene| plane(scene, options.clone()))
     };
     let (simulation, report) = match built {
         Some(Ok(built)) => built,
         Some(Err(error)) => {
             let room = if is_spatial(&deck, &database) {
-                let unmeshed = spatial_from_deck(&deck, &database, names.base(), profile).scene;
+                let law = options.spatial_contact;
+                let unmeshed =
+                    spatial_from_deck(&deck, &database, names.base(), profile, law).scene;
                 unmeshed.as_ref().and_then(insertion::room_needed_in_space)
             } else {
                 let unmeshed = from_deck(&deck, &database, names.base(), profile).scene;

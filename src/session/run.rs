@@ -408,6 +408,7 @@ impl<M: Model> Session<'_, M> {
                 legacy_d3plot: options.legacy_d3plot,
                 profile: options.profile,
                 dialect: self.checkpoints.dialect.clone(),
+                spatial_contact: self.checkpoints.spatial_contact,
             },
             deck: self.print,
             position: Position {

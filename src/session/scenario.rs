@@ -1,7 +1,7 @@
 //! Scenario files as input of a run: the deck is made into the folder of the results.
 
 use crate::{
-    meshing::{Generated, MeshingError, Scenario},
+    meshing::{AnyGenerated, Generated, MeshingError, Scenario},
     output::{Monitor, MonitorPlan},
 };
 use std::{
@@ -9,7 +9,7 @@ use std::{
     path::{Path, PathBuf},
 };
 use thiserror::Error;
-use yformat::part_file::PartFile;
+use yformat::{deck::Deck, part_file::PartFile};
 
 /// The deck of a scenario file, and what is to be watched while it runs.
 #[derive(Debug)]
@@ -19,7 +19,7 @@ pub struct ScenarioDeck {
     /// The scenario's monitors.
     pub monitors: MonitorPlan,
     /// What was made.
-    pub generated: Generated,
+    pub generated: AnyGenerated,
 }
 
 /// Why a scenario's deck cannot be made.
@@ -70,16 +70,16 @@ pub fn deck_of_scenario(scenario: &Path, folder: &Path) -> Result<ScenarioDeck, 
     let name = scenario.file_stem().unwrap_or_default();
     let path = folder.join(name).with_extension("y");
     let monitors = monitors(&read, scenario)?;
-    let generated = read.generate().map_err(meshing)?;
-    write(&generated, &path)?;
+    let generated = read.generate_any().map_err(meshing)?;
+    write(generated.deck(), &path)?;
     Ok(ScenarioDeck { path, monitors, generated })
 }
 
-/// Writes a generated deck; folders are made.
+/// Writes the deck of a scenario; folders are made.
 ///
 /// # Errors
 /// If it cannot be written or would replace a deck that was not made from a scenario.
-pub fn write(generated: &Generated, path: &Path) -> Result<(), ScenarioError> {
+pub fn write(deck: &Deck, path: &Path) -> Result<(), ScenarioError> {
     let io = |source| ScenarioError::Io { path: path.to_path_buf(), source };
     if let Ok(there) = std::fs::read(path)
         && !Generated::is_generated(&String::from_utf8_lossy(&there))
@@ -90,7 +90,7 @@ pub fn write(generated: &Generated, path: &Path) -> Result<(), ScenarioError> {
         std::fs::create_dir_all(folder).map_err(io)?;
     }
     let mut file = PartFile::create(path).map_err(io)?;
-    file.write_all(generated.deck.to_text().as_bytes()).map_err(io)?;
+    file.write_all(deck.to_text().as_bytes()).map_err(io)?;
     file.complete().map_err(io)?;
     Ok(())
 }

@@ -30,7 +30,7 @@ use crate::{
     contact::{Contact, Tally},
     insertion::{self, CapacityError, InsertionReport},
     mechanics::Vec2,
-    scene::{CohesiveModel, ContactSum, Scene},
+    scene::{CohesiveModel, ContactSum, Scene, SpatialContact},
     team::Team,
 };
 use disjoint::Disjoint;
@@ -52,18 +52,25 @@ pub use spatial::{FaceFailure, FaceJointView, SpatialSimulation, SpatialState, f
 pub use state::{SimulationState, StateFault};
 pub use view::{JointCondition, JointFailure, JointView, joint_views};
 
-/// Choices that change how fast a simulation runs, never its results.
+/// Choices that a deck cannot make.
 #[derive(Debug, Clone)]
 pub struct SolverOptions {
-    /// Whether couples that provably have no effect are left out.
+    /// Whether couples that provably have no effect are left out: this changes how fast a
+    /// simulation runs, never its results.
     pub skip_separated_couples: bool,
-    /// The threads that share the work.
+    /// The law of contact of tetrahedra. Nothing in the plane.
+    pub spatial_contact: SpatialContact,
+    /// The threads that share the work: they change how fast a simulation runs, too.
     pub team: Team,
 }
 
 impl Default for SolverOptions {
     fn default() -> Self {
-        Self { skip_separated_couples: true, team: Team::alone() }
+        Self {
+            skip_separated_couples: true,
+            spatial_contact: SpatialContact::default(),
+            team: Team::alone(),
+        }
     }
 }
 

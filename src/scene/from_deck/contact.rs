@@ -1,7 +1,7 @@
 use super::{Reader, reader::Offenders, ygeo};
 use crate::scene::{
     ContactSelection, ContactSettings, Conventions, ElementKind, FrictionModel, Insertion,
-    PairRule, Scene, SpatialContact,
+    PairRule, Scene,
 };
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
@@ -50,7 +50,7 @@ pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Option<ContactS
         initial_sliding: (0..slots)
             .map(|slot| std::array::from_fn(|k| sliding.map_or(0.0, |f| f.get2(k, slot))))
             .collect(),
-        spatial: SpatialContact::default(),
+        spatial: reader.spatial_contact,
     })
 }
 
@@ -131,6 +131,8 @@ pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D
             check_penalties(reader, scene);
             if D == 2 {
                 check_tangential_penalties(reader, scene);
+            } else if contact.spatial.has_friction {
+                check_tangential_penalties(reader, scene);
             } else {
                 check_friction(reader, scene);
             }
@@ -180,7 +182,8 @@ fn check_friction<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D>) {
                 ),
             )
             .at(reader.entry("YDPE/D1PEFR", found.first))
-            .expected("0, as in the original bodies slide freely on each other in 3D"),
+            .expected("0, as in the original bodies slide freely on each other in 3D")
+            .help("`ypsilon run --contact-friction` lets friction act"),
         );
     }
 }

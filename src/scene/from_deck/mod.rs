@@ -27,7 +27,7 @@ mod ygeo;
 
 pub use update::{replay_settings, update_scene, update_spatial_scene};
 
-use super::{Conventions, Scene};
+use super::{Conventions, Scene, SpatialContact};
 use geometry::Shapes;
 use reader::Reader;
 use serde::{Deserialize, Serialize};
@@ -57,30 +57,25 @@ pub struct BuildOutcome<const D: usize = 2> {
 /// `name` is the base name of the output files.
 #[must_use]
 pub fn from_deck(deck: &Deck, database: &Database, name: &str, profile: Profile) -> BuildOutcome {
-    outcome(deck, database, name, profile)
+    outcome(Reader::new(deck, database), name, profile)
 }
 
-/// The same for a deck in three dimensions.
+/// The same for a deck in three dimensions, with a law of contact that decks do not name.
 #[must_use]
 pub fn spatial_from_deck(
     deck: &Deck,
     database: &Database,
     name: &str,
     profile: Profile,
+    contact: SpatialContact,
 ) -> BuildOutcome<3> {
-    outcome(deck, database, name, profile)
+    outcome(Reader::new(deck, database).with_contact(contact), name, profile)
 }
 
-fn outcome<const D: usize>(
-    deck: &Deck,
-    database: &Database,
-    name: &str,
-    profile: Profile,
-) -> BuildOutcome<D>
+fn outcome<const D: usize>(mut reader: Reader<'_>, name: &str, profile: Profile) -> BuildOutcome<D>
 where
     Scene<D>: Shapes,
 {
-    let mut reader = Reader::new(deck, database);
     let scene = build(&mut reader, name, profile);
     let findings = reader.into_findings();
     let failed = findings.iter().any(Diagnostic::is_error);

@@ -1,4 +1,5 @@
 use super::names::{in_dialect, translated};
+use crate::scene::SpatialContact;
 use std::borrow::Cow;
 use yformat::{
     database::{Database, Field},
@@ -15,6 +16,8 @@ const MOST_SETS: usize = 1_000_000;
 pub(super) struct Reader<'a> {
     pub deck: &'a Deck,
     pub database: &'a Database,
+    /// Law of contact of tetrahedra, which decks do not name.
+    pub spatial_contact: SpatialContact,
     findings: Vec<Diagnostic>,
     /// What too short an array has been reported for: where their number is wrong, all are short.
     reported_short: Vec<&'static str>,
@@ -68,7 +71,13 @@ impl<'a> Reader<'a> {
             findings: Vec::new(),
             reported_short: Vec::new(),
             reported_counts: Vec::new(),
+            spatial_contact: SpatialContact::default(),
         }
+    }
+
+    /// The same, for a run with this law of contact of tetrahedra.
+    pub fn with_contact(self, spatial_contact: SpatialContact) -> Self {
+        Self { spatial_contact, ..self }
     }
 
     pub fn into_findings(self) -> Vec<Diagnostic> {

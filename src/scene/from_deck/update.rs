@@ -7,7 +7,7 @@ use super::{
     nodes::{to_i32, vector},
     probes, unsupported,
 };
-use crate::scene::Scene;
+use crate::scene::{Scene, SpatialContact};
 use std::collections::BTreeSet;
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
 
@@ -21,10 +21,10 @@ pub fn update_scene(
     named: &BTreeSet<String>,
     profile: Profile,
 ) -> BuildOutcome {
-    updated(deck, database, scene, named, profile)
+    updated(Reader::new(deck, database), scene, named, profile)
 }
 
-/// The same in three dimensions.
+/// The same in three dimensions, with a law of contact that decks do not name.
 #[must_use]
 pub fn update_spatial_scene(
     deck: &Deck,
@@ -32,13 +32,13 @@ pub fn update_spatial_scene(
     scene: &Scene<3>,
     named: &BTreeSet<String>,
     profile: Profile,
+    contact: SpatialContact,
 ) -> BuildOutcome<3> {
-    updated(deck, database, scene, named, profile)
+    updated(Reader::new(deck, database).with_contact(contact), scene, named, profile)
 }
 
 fn updated<const D: usize>(
-    deck: &Deck,
-    database: &Database,
+    mut reader: Reader<'_>,
     scene: &Scene<D>,
     named: &BTreeSet<String>,
     profile: Profile,
@@ -46,7 +46,6 @@ fn updated<const D: usize>(
 where
     Scene<D>: Shapes,
 {
-    let mut reader = Reader::new(deck, database);
     let scene = update(&mut reader, scene.clone(), named, profile);
     let findings = reader.into_findings();
     let failed = findings.iter().any(Diagnostic::is_error);
@@ -86,8 +85,9 @@ pub fn replay_settings<const D: usize>(
     scene: &mut Scene<D>,
     named: &BTreeSet<String>,
     profile: Profile,
+    contact: SpatialContact,
 ) {
-    let mut reader = Reader::new(deck, database);
+    let mut reader = Reader::new(deck, database).with_contact(contact);
     update_settings(&mut reader, scene, named, profile);
 }
 

@@ -12,7 +12,10 @@ pub(super) use deck_print::DeckPrint;
 pub use error::CheckpointError;
 
 use super::{Format, model::ModelState, restage::Entry, settle::SettlingSummary};
-use crate::{output::FilePosition, scene::Profile};
+use crate::{
+    output::FilePosition,
+    scene::{Profile, SpatialContact},
+};
 use serde::{Deserialize, Serialize};
 
 /// What a run was asked for that a run that goes on with it is to do as well.
@@ -28,6 +31,8 @@ pub struct RunSettings {
     pub profile: Profile,
     /// Dialect that the deck was taken for, as `--dialect` calls it, if it was forced.
     pub dialect: Option<String>,
+    /// The law of contact of tetrahedra.
+    pub spatial_contact: SpatialContact,
 }
 
 /// A run between two steps.
@@ -91,6 +96,8 @@ pub struct Checkpoints {
     pub every: Option<u64>,
     /// Dialect that the deck was forced to be read in.
     pub dialect: Option<String>,
+    /// Law of contact of tetrahedra that the deck was loaded with.
+    pub spatial_contact: SpatialContact,
     /// Where the run goes on from.
     pub resume: Option<Checkpoint>,
 }

@@ -3,7 +3,7 @@ use crate::{
     contact::CoupleWork,
     insertion::CapacityError,
     output::{Background, OutputError, OutputNames, ResultWriter},
-    scene::{Control, Profile, replay_settings, update_scene},
+    scene::{Control, Profile, SpatialContact, replay_settings, update_scene},
     session::{
         Observer, RunError, RunOptions,
         settle::{self, SettlingSummary},
@@ -120,7 +120,8 @@ impl Model for Simulation {
         profile: Profile,
     ) {
         let mut scene = self.scene().clone();
-        replay_settings(deck, database, &mut scene, named, profile);
+        let contact = SpatialContact::default();
+        replay_settings(deck, database, &mut scene, named, profile, contact);
         self.replay_stage(scene);
     }
 

@@ -100,7 +100,14 @@ impl Model for SpatialSimulation {
         named: &BTreeSet<String>,
         profile: Profile,
     ) -> Vec<Diagnostic> {
-        let outcome = update_spatial_scene(deck, database, self.scene(), named, profile);
+        let outcome = update_spatial_scene(
+            deck,
+            database,
+            self.scene(),
+            named,
+            profile,
+            self.options().spatial_contact,
+        );
         if let Some(scene) = outcome.scene {
             let travel = named.contains("YDI/DIEDI").then(|| database.real("YDI/DIEDI"));
             self.continue_with(scene, travel);
@@ -116,7 +123,8 @@ impl Model for SpatialSimulation {
         profile: Profile,
     ) {
         let mut scene = self.scene().clone();
-        replay_settings(deck, database, &mut scene, named, profile);
+        let contact = self.options().spatial_contact;
+        replay_settings(deck, database, &mut scene, named, profile, contact);
         self.replay_stage(scene);
     }
 

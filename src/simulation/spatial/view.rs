@@ -5,7 +5,7 @@ use crate::{
     insertion::InsertionReport,
     mechanics::{Vec3, joint3},
     scene::{JointKind, Scene},
-    simulation::{JointCondition, StressUse},
+    simulation::{JointCondition, SolverOptions, StressUse},
 };
 use nalgebra::Matrix3;
 use std::collections::HashMap;
@@ -15,6 +15,12 @@ impl SpatialSimulation {
     #[must_use]
     pub fn scene(&self) -> &Scene<3> {
         &self.scene
+    }
+
+    /// What the deck does not say.
+    #[must_use]
+    pub fn options(&self) -> &SolverOptions {
+        &self.options
     }
 
     /// Index of the step to be done or being done.
