@@ -23,6 +23,7 @@ mod reader;
 mod solids;
 mod unsupported;
 mod update;
+mod y3d;
 mod ygeo;
 
 pub use update::{replay_settings, update_scene, update_spatial_scene};
@@ -68,6 +69,11 @@ pub fn spatial_from_deck(
     name: &str,
     profile: Profile,
 ) -> BuildOutcome<3> {
+    if database.dialect() == Dialect::Y3d {
+        let mut reader = Reader::new(deck, database);
+        let scene = y3d::build(&mut reader, name);
+        return finished(reader, scene);
+    }
     outcome(deck, database, name, profile)
 }
 
@@ -82,6 +88,10 @@ where
 {
     let mut reader = Reader::new(deck, database);
     let scene = build(&mut reader, name, profile);
+    finished(reader, scene)
+}
+
+fn finished<const D: usize>(reader: Reader<'_>, scene: Option<Scene<D>>) -> BuildOutcome<D> {
     let findings = reader.into_findings();
     let failed = findings.iter().any(Diagnostic::is_error);
     BuildOutcome { scene: scene.filter(|_| !failed), findings }
@@ -92,7 +102,7 @@ where
     Scene<D>: Shapes,
 {
     unsupported::check(reader);
-    let conventions = Conventions::of(reader.database.dialect())?;
+    let conventions = Conventions::of(reader.database.dialect());
     let control = control::read(reader, D);
     let nodes = nodes::read(reader)?;
     let node_count = nodes.len();
@@ -130,6 +140,8 @@ where
         joint_points: joints::points(reader, profile),
         broken_code: joints::broken_code(D, profile),
         hysteretic_joints: reader.integer("YDPJ/IUSEHY") != 0,
+        face_pressures: Vec::new(),
+        pressure_ramp: 0.0,
         contact,
         insertion,
         probes,

@@ -18,7 +18,7 @@ use crate::{
         spatial::{Contact3, Motion3},
     },
     insertion::{self, CapacityError, InsertionReport},
-    mechanics::{Vec3, joint3::JointResponse},
+    mechanics::{Vec3, joint3::JointResponse, tetrahedron10},
     scene::{PairProperties, Scene},
 };
 use forces::TetrahedronResponse;
@@ -73,6 +73,8 @@ pub struct SpatialSimulation {
     first_inversion: Option<(u64, usize)>,
     /// What each planned tetrahedron does to its nodes.
     tetrahedron_slots: Vec<TetrahedronResponse>,
+    /// What each planned ten-node tetrahedron does to its nodes.
+    quadratic_slots: Vec<tetrahedron10::Response>,
     /// What each planned joint does to its nodes.
     joint_slots: Vec<JointResponse>,
     /// Boundary conditions of the present step.
@@ -107,6 +109,7 @@ impl SpatialSimulation {
             failures: Vec::new(),
             first_inversion: None,
             tetrahedron_slots: Vec::new(),
+            quadratic_slots: Vec::new(),
             joint_slots: Vec::new(),
             drives: Vec::new(),
         }
@@ -165,6 +168,7 @@ impl SpatialSimulation {
     /// First half of a step: forces of tetrahedra, joints and contact.
     pub fn evaluate_forces(&mut self) {
         self.add_tetrahedron_forces();
+        self.add_face_pressures();
         self.add_joint_forces();
         self.add_contact_forces();
         self.record_nodal_forces();
@@ -216,6 +220,7 @@ impl SpatialSimulation {
     /// Buffers of the step loop, which allocates nothing.
     fn make_room(&mut self) {
         self.tetrahedron_slots = vec![TetrahedronResponse::default(); self.plan.tetrahedra.len()];
+        self.quadratic_slots = vec![tetrahedron10::Response::default(); self.plan.quadratic.len()];
         self.joint_slots = vec![JointResponse::default(); self.plan.joints.len()];
         self.failures.reserve(self.plan.joints.len());
     }
