@@ -34,7 +34,9 @@ fn the_decks_are_sound() {
         let path = entry.path();
         if path.extension().is_some_and(|e| e == "Y3D") {
             let found = support::spoilt_deck::verdict_of(&path);
-            assert!(found.runs && found.severities.is_empty(), "{path:?}: {}", found.text);
+            // keywords without effect are noted
+            let fine = found.severities.iter().all(|severity| *severity == Severity::Note);
+            assert!(found.runs && fine, "{path:?}: {}", found.text);
         }
     }
 }
@@ -106,9 +108,10 @@ fn mistakes() {
 
 #[test]
 fn ten_node_tetrahedra() {
+    let deck = deck("11_one_tet10.Y3D").replace("D1PEPSF 1\n+1", "D1PEPSF 1\n+0");
     let said = all_say(
         Severity::Error,
-        &deck("11_one_tet10.Y3D"),
+        &deck,
         &[
             ("consistent masses", &[("INITER 0", "INITER 2")]),
             ("pressure", &[("0.0 0.0 0.0 0.0\n", "0.0 1.0 0.0 0.0\n")]),

@@ -237,3 +237,27 @@ fn steps_below_the_stated_share_are_stable() {
     }
     assert!(least < 1.6 * STABLE_SHARE, "the share could be larger: {least}");
 }
+
+/// The price of one condition on the volume: an element on its own does not resist what changes
+/// the size of its parts but not their shape, as long as its middle keeps its volume. In a mesh
+/// its neighbours do.
+#[test]
+fn an_element_alone_does_not_resist_a_conformal_bending() {
+    let initial = unit();
+    let middle = Vec3::new(0.25, 0.25, 0.25);
+    let strained = |amount: f64| {
+        // strain = amount (a·x) I
+        let along = Vec3::new(0.6, -0.5, 0.3);
+        initial.map(|x| {
+            let r = x - middle;
+            x + (r * along.dot(&r) - along * (0.5 * r.norm_squared())) * amount
+        })
+    };
+    let force = |amount: f64| {
+        let forces = deformed(&initial, &strained(amount)).forces;
+        forces.iter().map(Vec3::norm).fold(0.0, f64::max)
+    };
+    // of second order, where the stiffness is of the order of 1e8 N/m
+    assert!(force(1e-5) < 1e-2, "{}", force(1e-5));
+    assert!(force(1e-2) < 1e4, "{}", force(1e-2));
+}

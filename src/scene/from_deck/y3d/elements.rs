@@ -1,4 +1,4 @@
-use super::{super::nodes::to_i32, Reader};
+use super::{super::nodes::to_i32, Reader, materials::JOINT};
 use crate::{
     mechanics::{Vec3, tetrahedron::sixfold_volume, tetrahedron10},
     scene::from_deck::reader::{Offenders, numbers_of},
@@ -20,7 +20,8 @@ pub(super) fn read(
     let len = reader.count("YDE/NELEM", "YDE/MELEM", "elements", 1);
     let topology = reader.required_integers("YDE/I2ELTO", "elements", len)?;
     let property = reader.required_integers("YDE/I1ELPR", "elements", len)?;
-    if len == 0 || materials.is_empty() {
+    // types that are not simulated have been reported
+    if len == 0 || materials.is_empty() || materials.iter().any(is_unknown) {
         return None;
     }
     let rows = topology.given_shape().first().copied().unwrap_or(0);
@@ -117,6 +118,11 @@ pub(super) fn read(
         contact_tag: (0..len).map(|e| to_i32(tag(e))).collect(),
         state: Vec::new(),
     })
+}
+
+/// Whether a property set has a type that is not simulated.
+fn is_unknown(material: &Material) -> bool {
+    matches!(material.kind, ElementKind::Inert(code) if code != JOINT)
 }
 
 /// Turns tetrahedra that are inside out by an exchange of their nodes 2 and 3 (spec `y3d.md` 1.9).
