@@ -35,12 +35,6 @@ fn files_that_are_no_decks() {
 }
 
 #[test]
-fn decks_of_other_programs() {
-    let solid = "/YD/YDC/MCSTEP 20\n/YD/YDX/MELEM 1\n/YD/YDX/NELEM 1\n$YDOIT\n";
-    assert_snapshot!(one_error("deck of the Y3D lineage", solid.as_bytes()));
-}
-
-#[test]
 fn files_that_cannot_be_included() {
     let in_folder = |deck: &str, others: &[(&str, &str)]| {
         let folder = TempDir::new().expect("a temporary folder");

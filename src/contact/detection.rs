@@ -58,7 +58,7 @@ impl Detector {
             let tag = elements.contact_tag[element];
             let is_selected = match scene.selection {
                 ContactSelection::All => true,
-                ContactSelection::Tagged => tag > 0,
+                ContactSelection::Tagged | ContactSelection::Bodies => tag > 0,
                 ContactSelection::Flagged => is_flagged(scene, elements, element, |f| f > 0),
             };
             if is_selected {

@@ -1,8 +1,8 @@
-//! Cohesive joint between two faces of tetrahedra (spec `y2d3d.md` D.7).
+//! Cohesive joint between two faces of tetrahedra (spec `y2d3d.md` D.7, `y3d.md` 4).
 //!
 //! Nodes 0, 1, 2 lie on the upper face, 3, 4, 5 face them on the lower one. Opening and sliding
 //! are taken at points of the surface midway; each point softens with the combined damage of the
-//! two modes. There is neither cohesion nor friction.
+//! two modes. Where a law has cohesion (the `.Y3D` lineage), pressure raises the shear strength.
 
 use super::{Vec3, softening::remaining_strength};
 use crate::{TOLERANCE, scene::CohesiveLaw};
@@ -17,6 +17,15 @@ pub struct Points {
     weights: &'static [f64],
     /// Points that may have failed while the joint still holds.
     spare: usize,
+    /// Which length of the surface turns the penalty into a stiffness.
+    length: Length,
+}
+
+/// A length of a triangle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Length {
+    ShortestEdge,
+    MeanEdge,
 }
 
 const SIXTH: f64 = 1.0 / 6.0;
@@ -37,6 +46,15 @@ impl Points {
         ],
         weights: &[THIRD; 3],
         spare: 2,
+        length: Length::ShortestEdge,
+    };
+
+    /// The middles of the edges; the joint fails when two have (spec `y3d.md` 4.2, 4.4).
+    pub const MID_EDGES: Self = Self {
+        shapes: &[[0.5, 0.5, 0.0], [0.0, 0.5, 0.5], [0.5, 0.0, 0.5]],
+        weights: &[THIRD; 3],
+        spare: 1,
+        length: Length::MeanEdge,
     };
 
     /// Seven points; the joint fails when five have.
@@ -60,6 +78,7 @@ impl Points {
             0.125_939_180_5,
         ],
         spare: 4,
+        length: Length::ShortestEdge,
     };
 
     /// Number of points.
@@ -120,6 +139,8 @@ pub struct JointState {
 struct Limits {
     peak: [f64; 2],
     softening: [f64; 2],
+    /// Shear strength, Pa.
+    shear_strength: f64,
 }
 
 impl Limits {
@@ -132,7 +153,22 @@ impl Limits {
         };
         let (opening, opening_end) = of(law.tensile_strength, law.fracture_energy);
         let (sliding, sliding_end) = of(law.shear_strength, law.shear_fracture_energy);
-        Self { peak: [opening, sliding], softening: [opening_end, sliding_end] }
+        Self {
+            peak: [opening, sliding],
+            softening: [opening_end, sliding_end],
+            shear_strength: law.shear_strength,
+        }
+    }
+
+    /// Limits at a point with this opening: pressure raises the shear strength.
+    #[inline(always)]
+    fn at(&self, law: &CohesiveLaw, length: f64, opening: f64) -> Self {
+        if law.cohesion <= 0.0 || opening >= 0.0 {
+            return *self;
+        }
+        let normal = 2.0 * opening * law.tensile_strength / self.peak[0];
+        let shear_strength = law.cohesion - law.friction * normal;
+        Self::new(&CohesiveLaw { shear_strength, ..law.clone() }, length)
     }
 
     /// Damage by opening and by sliding, 0 below the peaks.
@@ -160,7 +196,7 @@ impl Limits {
 struct Surface {
     normal: Vec3,
     area: f64,
-    /// Shortest edge, m.
+    /// Shortest or mean edge, m.
     length: f64,
     /// Upper node minus lower node of each pair.
     gaps: [Vec3; 3],
@@ -168,7 +204,7 @@ struct Surface {
 
 impl Surface {
     #[inline(always)]
-    fn new(corners: &[Vec3; 6]) -> Self {
+    fn new(corners: &[Vec3; 6], of: Length) -> Self {
         let middle = |i: usize| 0.5 * (corners[i] + corners[i + 3]);
         let (a, b) = (middle(1) - middle(0), middle(2) - middle(0));
         let mut length = size(a);
@@ -176,6 +212,9 @@ impl Surface {
             if other < length {
                 length = other;
             }
+        }
+        if of == Length::MeanEdge {
+            length = (size(a) + size(b) + size(b - a)) / 3.0;
         }
         let cross = Vec3::new(a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x);
         let double_area = size(cross);
@@ -215,6 +254,7 @@ fn at_point(
     let (opening, slip) = surface.gap(shape);
     let sliding = size(slip);
     let direction = if sliding > TOLERANCE { slip / sliding } else { slip };
+    let limits = &limits.at(law, surface.length, opening);
     let damage = limits.damage(opening, sliding);
     let left = remaining_strength(if damage >= 1.0 { 1.0 } else { damage });
     let [peak_opening, peak_sliding] = limits.peak;
@@ -227,10 +267,10 @@ fn at_point(
         (2.0 * ratio - ratio * ratio) * left * law.tensile_strength
     };
     let shear = if sliding > peak_sliding {
-        left * law.shear_strength
+        left * limits.shear_strength
     } else {
         let ratio = sliding / peak_sliding;
-        (2.0 * ratio - ratio * ratio) * left * law.shear_strength
+        (2.0 * ratio - ratio * ratio) * left * limits.shear_strength
     };
     (PointState { opening, sliding, damage, left, normal, shear }, direction)
 }
@@ -239,7 +279,7 @@ fn at_point(
 #[inline]
 #[must_use]
 pub fn evaluate(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> JointResponse {
-    let surface = Surface::new(corners);
+    let surface = Surface::new(corners, points.length);
     let limits = Limits::new(law, surface.length);
     let mut response = JointResponse::default();
     let mut failed = 0;
@@ -260,7 +300,7 @@ pub fn evaluate(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> Join
 /// State of each integration point.
 #[must_use]
 pub fn point_states(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> Vec<PointState> {
-    let surface = Surface::new(corners);
+    let surface = Surface::new(corners, points.length);
     let limits = Limits::new(law, surface.length);
     points.shapes.iter().map(|shape| at_point(law, &limits, &surface, shape).0).collect()
 }
@@ -268,12 +308,13 @@ pub fn point_states(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> 
 /// State for output, without changing the joint.
 #[must_use]
 pub fn state(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> JointState {
-    let surface = Surface::new(corners);
+    let surface = Surface::new(corners, points.length);
     let limits = Limits::new(law, surface.length);
     let (opening, slip) = surface.gap(&[THIRD; 3]);
     let mut state = JointState { opening, sliding: size(slip), ..JointState::default() };
     for shape in points.shapes {
         let (opening, slip) = surface.gap(shape);
+        let limits = limits.at(law, surface.length, opening);
         let [o, s] = limits.damages(opening, size(slip));
         let damage = limits.damage(opening, size(slip));
         if damage > state.damage {
@@ -288,14 +329,14 @@ pub fn state(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> JointSt
 /// Opening and sliding in the middle of a joint that carries nothing any more, m.
 #[must_use]
 pub fn separation(corners: &[Vec3; 6]) -> (f64, f64) {
-    let (opening, slip) = Surface::new(corners).gap(&[THIRD; 3]);
+    let (opening, slip) = Surface::new(corners, Length::ShortestEdge).gap(&[THIRD; 3]);
     (opening, size(slip))
 }
 
 /// Area of the surface midway, m².
 #[must_use]
 pub fn area(corners: &[Vec3; 6]) -> f64 {
-    Surface::new(corners).area
+    Surface::new(corners, Length::ShortestEdge).area
 }
 
 #[cfg(test)]

@@ -6,12 +6,14 @@
 
 pub mod aperture;
 pub mod edge_load;
+pub mod face_load;
 pub mod joint2;
 pub mod joint3;
 pub mod rigid_triangle;
 pub mod softening;
 pub mod softening_triangle;
 pub mod tetrahedron;
+pub mod tetrahedron10;
 pub mod triangle;
 
 use nalgebra::{Vector2, Vector3};

@@ -1,11 +1,47 @@
-//! Four-node tetrahedron, finite strain, compressible neo-Hookean (spec `y2d3d.md` C.4).
+//! Four-node tetrahedron, finite strain, compressible neo-Hookean (spec `y2d3d.md` C.4,
+//! `y3d.md` 2).
 //!
 //! The law is that of the elastic triangle in space: with deformation gradient F, J = det F,
 //! B = F Fᵀ and rate of deformation D the Cauchy stress is
-//! T = (μ/J)(B − I) + (λ/2)(J − 1/J) I + η D, one stress per element.
+//! T = (μ/J)(B − I) + p(J) I + η D, one stress per element; p = (λ/2)(J − 1/J) in the split
+//! dialect, (λ/J) ln J in the `.Y3D` lineage.
 
 use super::{Vec3, triangle::Elasticity};
 use nalgebra::Matrix3;
+
+/// How the change of volume presses on a solid. Both agree to first order.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Volumetric {
+    /// The share of λ(J − 1/J) that the elasticity names (spec `y2d3d.md` C.4).
+    #[default]
+    Difference,
+    /// (λ/J) ln J (spec `y3d.md` 2.2, variant 1).
+    Logarithm,
+}
+
+/// Elastic law of a solid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct SolidLaw {
+    /// Constants.
+    pub elasticity: Elasticity,
+    /// Answer to a change of volume.
+    pub volumetric: Volumetric,
+}
+
+impl SolidLaw {
+    /// Pressure term of the stress, Pa, positive in tension, where the volume has grown by `ratio`.
+    #[inline]
+    #[must_use]
+    pub fn tension(&self, ratio: f64) -> f64 {
+        let lambda = self.elasticity.lame_lambda;
+        match self.volumetric {
+            Volumetric::Difference => {
+                lambda * (ratio - 1.0 / ratio) * self.elasticity.volumetric_share
+            }
+            Volumetric::Logarithm => lambda * ratio.ln() / ratio,
+        }
+    }
+}
 
 /// Undeformed shape of a tetrahedron, computed once.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -44,7 +80,7 @@ pub fn sixfold_volume(corners: &[Vec3; 4]) -> f64 {
 #[inline]
 #[must_use]
 pub fn cauchy_stress(
-    law: &Elasticity,
+    SolidLaw { elasticity: law, volumetric }: &SolidLaw,
     reference: &ReferenceShape,
     corners: &[Vec3; 4],
     velocities: &[Vec3; 4],
@@ -56,7 +92,12 @@ pub fn cauchy_stress(
     let left_cauchy_green = product(&deformation, &deformation.transpose());
     let (compression, expansion) =
         (reference.sixfold_volume / volume, volume / reference.sixfold_volume);
-    let pressure = law.lame_lambda * (expansion - compression) * law.volumetric_share;
+    let pressure = match volumetric {
+        Volumetric::Difference => {
+            law.lame_lambda * (expansion - compression) * law.volumetric_share
+        }
+        Volumetric::Logarithm => law.lame_lambda * expansion.ln() * compression,
+    };
     let stress = Matrix3::from_fn(|i, j| {
         let strain = 0.5 * left_cauchy_green[(i, j)] - if i == j { 0.5 } else { 0.0 };
         let rate = 0.5 * (gradient[(i, j)] + gradient[(j, i)]);
@@ -90,15 +131,23 @@ pub fn nodal_forces(stress: &Matrix3<f64>, corners: &[Vec3; 4]) -> [Vec3; 4] {
 
 /// Strain energy, J: exact. Viscosity stores none.
 #[must_use]
-pub fn strain_energy(law: &Elasticity, reference: &ReferenceShape, corners: &[Vec3; 4]) -> f64 {
+pub fn strain_energy(
+    SolidLaw { elasticity: law, volumetric }: &SolidLaw,
+    reference: &ReferenceShape,
+    corners: &[Vec3; 4],
+) -> f64 {
     let edges = edges(corners);
     let deformation = product(&edges, &reference.inverse_edges);
     let trace = deformation.norm_squared();
     let ratio = determinant(&edges) / reference.sixfold_volume;
     let shear = 0.5 * law.shear_modulus * (trace - 3.0 - 2.0 * ratio.ln());
-    let volumetric =
-        law.volumetric_share * law.lame_lambda * (0.5 * (ratio * ratio - 1.0) - ratio.ln());
-    reference.sixfold_volume / 6.0 * (shear + volumetric)
+    let pressed = match volumetric {
+        Volumetric::Difference => {
+            law.volumetric_share * law.lame_lambda * (0.5 * (ratio * ratio - 1.0) - ratio.ln())
+        }
+        Volumetric::Logarithm => 0.5 * law.lame_lambda * ratio.ln().powi(2),
+    };
+    reference.sixfold_volume / 6.0 * (shear + pressed)
 }
 
 #[inline(always)]
@@ -127,7 +176,7 @@ pub(crate) fn inverse(m: &Matrix3<f64>, determinant: f64) -> Matrix3<f64> {
 
 /// Matrix product, each entry summed from zero in ascending order.
 #[inline(always)]
-fn product(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Matrix3<f64> {
+pub(super) fn product(a: &Matrix3<f64>, b: &Matrix3<f64>) -> Matrix3<f64> {
     Matrix3::from_fn(|i, j| {
         let mut sum = 0.0;
         for k in 0..3 {

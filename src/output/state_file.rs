@@ -143,7 +143,7 @@ fn write_scene<const D: usize>(
         let code = scene.property_code(e);
         write!(output, "{e} {code}")?;
         for row in 0..elements.table_rows {
-            write!(output, " {}", elements.nodes[e].get(row).copied().unwrap_or(-1))?;
+            write!(output, " {}", elements.node_number(e, row))?;
         }
         writeln!(output)?;
     }

@@ -142,7 +142,10 @@ fn stress(simulation: &Simulation, element: usize) -> SymmetricTensor {
                 let damage = scene.elements.state[m.damage_row as usize][element];
                 (1.0 - softening_triangle::loss(damage)) * volumetric
             }
-            ElementKind::RigidTriangle | ElementKind::Tetrahedron | ElementKind::Inert(_) => 0.0,
+            ElementKind::RigidTriangle
+            | ElementKind::Tetrahedron
+            | ElementKind::QuadraticTetrahedron
+            | ElementKind::Inert(_) => 0.0,
         }
     });
     plane(s[(0, 0)], s[(1, 1)], zz, s[(0, 1)])

@@ -25,6 +25,8 @@ pub struct NodeSet<const D: usize> {
     pub conditions: [Condition; D],
     /// Amplitude along each local axis, in the unit of the condition.
     pub amplitudes: [f64; D],
+    /// Acceleration on top of gravity along the global axes, m/s² (`.Y3D`).
+    pub acceleration: [f64; D],
     /// Pressure on edges whose two nodes both belong to loaded sets, Pa,
     /// positive into the body.
     pub pressure: f64,

@@ -2,6 +2,7 @@
 //!
 //! One row per dialect; the simulation reads the fields, never the dialect.
 
+use crate::mechanics::tetrahedron::Volumetric;
 use yformat::dialect::Dialect;
 
 /// Share of λ (J − 1/J) in the stress of the elastic triangle.
@@ -57,6 +58,9 @@ pub enum ContactSelection {
     Tagged,
     /// Those with a node flagged above 0.
     Flagged,
+    /// Those with a body number above 0, which the deck alone gives; elements of one body never
+    /// touch (spec `y3d.md` 1.1, 1.2).
+    Bodies,
 }
 
 /// Whether triangles bonded by intact joints may become couples.
@@ -132,6 +136,8 @@ pub struct Conventions {
     pub dialect: Dialect,
     /// Stress of the elastic triangle.
     pub volumetric: VolumetricShare,
+    /// Answer of tetrahedra to a change of volume.
+    pub solid_volumetric: Volumetric,
     /// Law of joints.
     pub cohesive: CohesiveModel,
     /// Order of internal forces.
@@ -159,6 +165,7 @@ impl Conventions {
     pub const SPLIT: Self = Self {
         dialect: Dialect::Split,
         volumetric: VolumetricShare::Half,
+        solid_volumetric: Volumetric::Difference,
         cohesive: CohesiveModel::Split,
         forces: ForceOrder::TrianglesThenJoints,
         selection: ContactSelection::Tagged,
@@ -195,14 +202,22 @@ impl Conventions {
         ..Self::Y_GEO
     };
 
-    /// The row of a dialect, if its scenes are simulated.
+    /// The `.Y3D` lineage (spec `y3d.md`).
+    pub const Y3D: Self = Self {
+        dialect: Dialect::Y3d,
+        solid_volumetric: Volumetric::Logarithm,
+        selection: ContactSelection::Bodies,
+        ..Self::SPLIT
+    };
+
+    /// The row of a dialect.
     #[must_use]
-    pub fn of(dialect: Dialect) -> Option<Self> {
+    pub fn of(dialect: Dialect) -> Self {
         match dialect {
-            Dialect::Split => Some(Self::SPLIT),
-            Dialect::YGeo => Some(Self::Y_GEO),
-            Dialect::Classic => Some(Self::CLASSIC),
-            Dialect::Y3d => None,
+            Dialect::Split => Self::SPLIT,
+            Dialect::YGeo => Self::Y_GEO,
+            Dialect::Classic => Self::CLASSIC,
+            Dialect::Y3d => Self::Y3D,
         }
     }
 

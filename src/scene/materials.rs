@@ -11,6 +11,8 @@ pub enum ElementKind {
     SofteningTriangle,
     /// Elastic constant-strain tetrahedron (3D).
     Tetrahedron,
+    /// Elastic ten-node tetrahedron without volumetric locking (3D).
+    QuadraticTetrahedron,
     /// A type code without mechanics: no force, no mass, no contact.
     Inert(i64),
 }
@@ -19,7 +21,13 @@ impl ElementKind {
     /// Whether elements of this kind can touch others.
     #[must_use]
     pub fn takes_part_in_contact(self) -> bool {
-        matches!(self, Self::ElasticTriangle | Self::RigidTriangle | Self::Tetrahedron)
+        matches!(
+            self,
+            Self::ElasticTriangle
+                | Self::RigidTriangle
+                | Self::Tetrahedron
+                | Self::QuadraticTetrahedron
+        )
     }
 }
 
@@ -137,6 +145,8 @@ pub enum JointPoints {
     Three,
     /// Seven; a joint fails when five have.
     Seven,
+    /// Three in the middles of the edges; a joint fails when two have (`.Y3D`, spec `y3d.md` 4.2).
+    MidEdges,
 }
 
 /// Property code of joints between tetrahedra that have failed, in decks and state files.

@@ -78,6 +78,9 @@ pub struct Elements {
     /// Node numbers, −1 where there is none. Triangles use three (counter-
     /// clockwise), 2D joints four: 0–1 along the first side, 2 faces 1, 3 faces 0.
     pub nodes: Vec<[i32; 6]>,
+    /// Nodes on the edges of ten-node tetrahedra, in the order of
+    /// [`crate::mechanics::tetrahedron10::EDGES`]; empty where there are none.
+    pub edge_nodes: Vec<[i32; 6]>,
     /// Property set (see [`super::Scene`]).
     pub property: Vec<i32>,
     /// What each element is to the joints.
@@ -114,6 +117,26 @@ impl Elements {
     #[must_use]
     pub fn corners<const N: usize>(&self, element: usize) -> [usize; N] {
         std::array::from_fn(|i| self.nodes[element][i] as usize)
+    }
+
+    /// The ten node numbers of a quadratic tetrahedron.
+    #[must_use]
+    pub fn all_nodes(&self, element: usize) -> [usize; 10] {
+        let edges = &self.edge_nodes[element];
+        std::array::from_fn(|i| {
+            (if i < 4 { self.nodes[element][i] } else { edges[i - 4] }) as usize
+        })
+    }
+
+    /// What a row of the element table holds, −1 where there is no node.
+    #[must_use]
+    pub fn node_number(&self, element: usize, row: usize) -> i32 {
+        let edges = self.edge_nodes.get(element).filter(|edges| edges[0] >= 0);
+        let row_of = |nodes: &[i32; 6], row: usize| nodes.get(row).copied().unwrap_or(-1);
+        match (edges, row.checked_sub(4)) {
+            (Some(edges), Some(row)) => row_of(edges, row),
+            _ => row_of(&self.nodes[element], row),
+        }
     }
 
     /// Gives a triangle other corners.

@@ -7,6 +7,7 @@ mod boundary;
 mod contact;
 mod control;
 mod conventions;
+mod face_pressure;
 mod fracture_network;
 mod from_deck;
 mod joint_restart;
@@ -27,6 +28,7 @@ pub use conventions::{
     Conventions, ForceOrder, HistoryLines, Interfaces, OutputTime, Refresh, SPLIT_BROKEN,
     SPLIT_FREE_EDGE, VolumetricShare,
 };
+pub use face_pressure::FacePressure;
 pub use fracture_network::{Fracture, FractureNetwork, FractureTreatment, SeismicMethod};
 pub use from_deck::{
     BuildOutcome, Profile, from_deck, replay_settings, spatial_from_deck, update_scene,
@@ -89,6 +91,10 @@ pub struct Scene<const D: usize = 2> {
     pub broken_code: BrokenCode,
     /// Whether joints unload along another path than they soften (Y-Geo).
     pub hysteretic_joints: bool,
+    /// Pressures on faces of tetrahedra (`.Y3D`).
+    pub face_pressures: Vec<FacePressure>,
+    /// Time in which these rise from 0, s; 0 for all at once.
+    pub pressure_ramp: f64,
     /// Contact settings; `None` switches contact off.
     pub contact: Option<ContactSettings>,
     /// Refinement and joint insertion to do in the first step.

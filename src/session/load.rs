@@ -1,7 +1,7 @@
 use crate::{
     insertion::{self, CapacityError, InsertionReport, Room},
     output::OutputNames,
-    scene::{Conventions, Profile, Scene, from_deck, spatial_from_deck},
+    scene::{Profile, Scene, from_deck, spatial_from_deck},
     simulation::{AnySimulation, Simulation, SolverOptions, SpatialSimulation},
 };
 use std::{io, path::Path, path::PathBuf};
@@ -11,8 +11,7 @@ use yformat::{
     deck::{Deck, Stage},
     diagnostic::Diagnostic,
     dialect::Dialect,
-    keywords::dialects_knowing,
-    source::{SourceMap, Span},
+    source::SourceMap,
 };
 
 /// A deck whose first stage is ready to run.
@@ -67,7 +66,6 @@ pub fn load(
         .map_err(|source| DeckFault::Io { path: path.to_path_buf(), source })?;
     let (deck, mut findings) = (outcome.deck, outcome.diagnostics);
     let sources = deck.sources();
-    check_dialect(&deck, &mut findings);
     let stages: Vec<Stage> = deck.stages().into_iter().filter(|stage| stage.runs).collect();
     let mut database = Database::new(deck.dialect());
     let fault = |findings: Vec<Diagnostic>| {
@@ -125,7 +123,10 @@ pub fn load(
 
 /// Whether the deck is one in space that can be simulated.
 fn is_spatial(deck: &Deck, database: &Database) -> bool {
-    deck.dialect() == Dialect::Split && database.integer("YDN/NNODIM") == 3
+    match deck.dialect() {
+        Dialect::Split => database.integer("YDN/NNODIM") == 3,
+        dialect => dialect == Dialect::Y3d,
+    }
 }
 
 type Meshed = Result<(AnySimulation, Option<InsertionReport>), CapacityError>;
@@ -167,33 +168,6 @@ pub(super) fn anchored(finding: Diagnostic, deck: &Deck, stage: &Stage) -> Diagn
     }
     let run = stage.items.end.checked_sub(1).and_then(|item| deck.word_span(item));
     finding.at(run).label("not given up to here")
-}
-
-fn check_dialect(deck: &Deck, findings: &mut Vec<Diagnostic>) {
-    if Conventions::of(deck.dialect()).is_none() && !findings.iter().any(Diagnostic::is_error) {
-        findings.push(
-            Diagnostic::error(
-                "deck::dialect-not-simulated",
-                format!(
-                    "this is a deck of the {} dialect, which is read but not simulated yet",
-                    deck.dialect()
-                ),
-            )
-            .at(foreign_keyword(deck))
-            .label(format!("a keyword of the {} dialect", deck.dialect()))
-            .help("decks of the split, classic and Y-Geo dialects run; `--dialect` forces one"),
-        );
-    }
-}
-
-/// The first keyword that no dialect has whose scenes are simulated.
-fn foreign_keyword(deck: &Deck) -> Option<Span> {
-    let mut words = deck.assignments().filter_map(|(item, _)| deck.word_span(item));
-    words.find(|&word| {
-        let known = dialects_knowing(deck.sources().bytes(word));
-        let simulated = Dialect::ALL.into_iter().filter(|d| Conventions::of(*d).is_some());
-        !simulated.into_iter().any(|dialect| known.contains(&dialect.name()))
-    })
 }
 
 /// The finding that a mesh has no room for what is to be inserted. `room` is what it needs

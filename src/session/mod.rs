@@ -57,7 +57,8 @@ impl Format {
         let own: &[Self] = match dialect {
             Dialect::Classic => &[Self::Ym, Self::Yh, Self::Restart],
             Dialect::YGeo => &[Self::Vtp, Self::Yh],
-            Dialect::Split | Dialect::Y3d => &[Self::D3plot, Self::Yh],
+            Dialect::Split => &[Self::D3plot, Self::Yh],
+            Dialect::Y3d => &[Self::Vtu, Self::Yh],
         };
         let mut expanded = formats.to_vec();
         if formats.contains(&Self::Native) {

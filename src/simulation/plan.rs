@@ -196,7 +196,10 @@ impl Plan {
             .filter(|&e| scene.elements.property[e] == material as i32)
             .map(|e| (e as u32, scene.elements.corners::<3>(e)));
         match m.kind {
-            ElementKind::Inert(_) | ElementKind::RigidTriangle | ElementKind::Tetrahedron => {}
+            ElementKind::Inert(_)
+            | ElementKind::RigidTriangle
+            | ElementKind::Tetrahedron
+            | ElementKind::QuadraticTetrahedron => {}
             ElementKind::ElasticTriangle | ElementKind::SofteningTriangle => {
                 let elastic = m.kind == ElementKind::ElasticTriangle;
                 self.masses_change |= !elastic;

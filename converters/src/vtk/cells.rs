@@ -18,6 +18,9 @@ pub enum CellType {
     Hexahedron = 12,
     /// Six points: one triangle, then the opposite triangle.
     Wedge = 13,
+    /// Ten points: four corners, then the middles of the edges (0,1), (1,2), (2,0), (0,3), (1,3)
+    /// and (2,3).
+    QuadraticTetra = 24,
 }
 
 impl CellType {
@@ -31,6 +34,7 @@ impl CellType {
             10 => Self::Tetra,
             12 => Self::Hexahedron,
             13 => Self::Wedge,
+            24 => Self::QuadraticTetra,
             _ => return None,
         })
     }
@@ -44,6 +48,7 @@ impl CellType {
             Self::Quad | Self::Tetra => 4,
             Self::Wedge => 6,
             Self::Hexahedron => 8,
+            Self::QuadraticTetra => 10,
         }
     }
 }

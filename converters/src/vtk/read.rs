@@ -259,6 +259,9 @@ fn points(array: DataArray) -> Result<Vec<[f64; 3]>, String> {
     }
 }
 
+/// Most points that a cell has.
+const MOST_POINTS: usize = CellType::QuadraticTetra.points();
+
 fn cells(
     connectivity: &[i64],
     offsets: &[i64],
@@ -278,7 +281,7 @@ fn cells(
             .get(begin..end)
             .filter(|corners| corners.len() == kind.points())
             .ok_or_else(|| format!("cell {index} ends at {offset}, which fits no {kind:?}"))?;
-        let mut indices = [0_u32; 8];
+        let mut indices = [0_u32; MOST_POINTS];
         for (slot, &corner) in indices.iter_mut().zip(corners) {
             *slot =
                 u32::try_from(corner).ok().filter(|&i| (i as usize) < points).ok_or_else(|| {

@@ -14,7 +14,15 @@ pub(super) fn bodies(grid: &UnstructuredGrid) -> Result<Frame, String> {
                 triangles.push([a as u32, b as u32, c as u32]);
                 shown.push(index);
             }
-            (Some(CellType::Tetra | CellType::Hexahedron | CellType::Wedge), _) => {
+            (
+                Some(
+                    CellType::Tetra
+                    | CellType::QuadraticTetra
+                    | CellType::Hexahedron
+                    | CellType::Wedge,
+                ),
+                _,
+            ) => {
                 return Err("the grid has solids; only plane results can be shown".to_owned());
             }
             _ => {}

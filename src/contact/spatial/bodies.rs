@@ -42,8 +42,10 @@ impl Contactor {
 /// The elements that take part in a couple.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bodies {
-    /// Nodes.
+    /// Corners.
     pub nodes: Vec<[u32; 4]>,
+    /// Nodes on the edges of ten-node tetrahedra.
+    pub edge_nodes: Vec<Option<[u32; 6]>>,
     /// As they lie in this step, where a couple that is evaluated needs them.
     pub targets: Vec<Tetrahedron>,
     pub contactors: Vec<Contactor>,
@@ -57,6 +59,7 @@ impl Bodies {
     /// Forgets all participants.
     pub fn clear(&mut self, elements: usize) {
         self.nodes.clear();
+        self.edge_nodes.clear();
         self.made.clear();
         self.place.clear();
         self.place.resize(elements, NOWHERE);
@@ -68,6 +71,8 @@ impl Bodies {
         if *place == NOWHERE {
             *place = self.nodes.len() as u32;
             self.nodes.push(elements.corners::<4>(element as usize).map(|n| n as u32));
+            let edges = elements.edge_nodes.get(element as usize).filter(|edges| edges[0] >= 0);
+            self.edge_nodes.push(edges.map(|edges| edges.map(|n| n as u32)));
         }
         *place
     }

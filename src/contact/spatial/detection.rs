@@ -4,8 +4,9 @@ use crate::{
         couples::CoupleList,
         sweep::{Ball, Sweep, couple_or_part, distance_squared},
     },
-    scene::{ContactSelection, Elements},
+    scene::{ContactSelection, Elements, JointKind},
 };
+use std::collections::HashSet;
 
 /// What detection looks at.
 #[derive(Debug, Clone, Copy)]
@@ -32,7 +33,7 @@ impl Participants<'_> {
 
     /// Gives every element with a node flagged 1 its own tag. Tags are never taken back.
     pub fn tag_boundary_elements(&self, tags: &mut [i32]) {
-        if self.selection == ContactSelection::Flagged {
+        if matches!(self.selection, ContactSelection::Flagged | ContactSelection::Bodies) {
             return;
         }
         for (element, tag) in tags.iter_mut().enumerate() {
@@ -48,12 +49,52 @@ impl Participants<'_> {
 pub(super) struct Detector {
     sweep: Sweep<3>,
     index: PairIndex,
+    fractures: Fractures,
+}
+
+/// Which elements of one body may touch (spec `y3d.md` 3.1): those that a joint has let go, unless
+/// another joint holds them together.
+#[derive(Debug, Clone, Default)]
+struct Fractures {
+    /// Elements at a broken joint; empty where none has broken.
+    let_go: Vec<bool>,
+    bonded: HashSet<[u32; 2]>,
+}
+
+impl Fractures {
+    fn find(&mut self, elements: &Elements) {
+        self.let_go.clear();
+        self.bonded.clear();
+        if !elements.joint_kind.contains(&JointKind::Broken) {
+            return;
+        }
+        self.let_go.resize(elements.len(), false);
+        for (kind, sides) in elements.joint_kind.iter().zip(&elements.sides) {
+            let Ok(first) = u32::try_from(sides[0]) else { continue };
+            let Ok(second) = u32::try_from(sides[1]) else { continue };
+            match kind {
+                JointKind::Broken => {
+                    self.let_go[first as usize] = true;
+                    self.let_go[second as usize] = true;
+                }
+                JointKind::Intact => {
+                    self.bonded.insert([first.min(second), first.max(second)]);
+                }
+                _ => {}
+            }
+        }
+    }
+
+    fn may_touch(&self, a: u32, b: u32) -> bool {
+        let is_let_go = |e: u32| self.let_go.get(e as usize).is_some_and(|&let_go| let_go);
+        is_let_go(a) && is_let_go(b) && !self.bonded.contains(&[a.min(b), a.max(b)])
+    }
 }
 
 /// Updates the couple list: pairs that come within the buffer are added, couples that left it and
 /// lie in neighbouring cells are removed.
 pub(super) fn update(
-    Detector { sweep, index }: &mut Detector,
+    Detector { sweep, index, fractures }: &mut Detector,
     scene: &Participants<'_>,
     tags: &[i32],
     couples: &mut CoupleList<Slip>,
@@ -64,7 +105,7 @@ pub(super) fn update(
         let is_selected = scene.takes_part(element)
             && match scene.selection {
                 ContactSelection::All => true,
-                ContactSelection::Tagged => tag > 0,
+                ContactSelection::Tagged | ContactSelection::Bodies => tag > 0,
                 ContactSelection::Flagged => scene.is_flagged(element, |flag| flag > 0),
             };
         if is_selected {
@@ -74,11 +115,19 @@ pub(super) fn update(
             sweep.first_idle.get_or_insert(element as u32);
         }
     }
+    if scene.selection == ContactSelection::Bodies {
+        fractures.find(scene.elements);
+    }
     couples.resize(tags.len());
     index.fill(couples);
     let find = |_: &CoupleList<Slip>, contactor, target| index.find(contactor, target);
     sweep.pairs(scene.buffer, |a, b| {
-        if scene.selection != ContactSelection::Tagged || a.tag != b.tag {
+        let may_touch = match scene.selection {
+            ContactSelection::All | ContactSelection::Flagged => true,
+            ContactSelection::Tagged => a.tag != b.tag,
+            ContactSelection::Bodies => a.tag != b.tag || fractures.may_touch(a.element, b.element),
+        };
+        if may_touch {
             couple_or_part(a, b, scene.buffer, couples, find);
         }
     });

@@ -16,6 +16,7 @@ use super::{
 use crate::{
     contact::CoupleList,
     lanes::{self, Kernel, Lanes},
+    mechanics::tetrahedron10::EDGES,
     scene::{PairProperties, PressedFaces, SpatialContact},
     team::Team,
 };
@@ -87,7 +88,7 @@ impl Step<'_> {
 /// Forces on the nodes of the bodies of a couple.
 #[derive(Debug, Clone, Copy)]
 enum Exerted {
-    /// Of two faces.
+    /// Of two faces: the original's law, under which there are no ten-node tetrahedra.
     Faces(FaceForce),
     /// Of the bodies as a whole.
     Bodies([[Vec3; 4]; 2]),
@@ -171,20 +172,48 @@ impl Chunk {
     fn scatter(&self, step: &Step<'_>, forces: &mut [Vec3], slips: &mut Vec<(u32, Slip)>) {
         slips.extend_from_slice(&self.slips);
         for (participants, exerted) in &self.exerted {
-            let nodes = participants.map(|place| &step.visits.bodies.nodes[place as usize]);
+            let bodies = &step.visits.bodies;
+            let nodes = participants.map(|place| &bodies.nodes[place as usize]);
             match exerted {
                 Exerted::Faces(force) => force.scatter(nodes[0], nodes[1], forces),
-                Exerted::Bodies(bodies) => {
-                    for (nodes, of_body) in nodes.iter().zip(bodies) {
-                        for (&node, force) in nodes.iter().zip(of_body) {
-                            forces[node as usize] += force;
-                        }
+                Exerted::Bodies(forces_of) => {
+                    for ((&place, nodes), on_corners) in
+                        participants.iter().zip(nodes).zip(forces_of)
+                    {
+                        let edges = bodies.edge_nodes[place as usize].as_ref();
+                        spread(on_corners, nodes, edges, forces);
                     }
                 }
             }
         }
     }
 }
+
+/// Adds the forces on the corners of a body; a ten-node tetrahedron bears them with all its nodes
+/// (spec `y3d.md` 3.3).
+fn spread(
+    on_corners: &[Vec3; 4],
+    corners: &[u32; 4],
+    edge_nodes: Option<&[u32; 6]>,
+    forces: &mut [Vec3],
+) {
+    let Some(edge_nodes) = edge_nodes else {
+        for (&node, force) in corners.iter().zip(on_corners) {
+            forces[node as usize] += force;
+        }
+        return;
+    };
+    for (&node, force) in corners.iter().zip(on_corners) {
+        forces[node as usize] += force * CORNER_PART;
+    }
+    for (&node, [a, b]) in edge_nodes.iter().zip(EDGES) {
+        forces[node as usize] += (on_corners[a] + on_corners[b]) * EDGE_PART;
+    }
+}
+
+/// What a corner keeps of its force, and what each of its three edges bears of it.
+const CORNER_PART: f64 = 0.4;
+const EDGE_PART: f64 = 0.2;
 
 /// Evaluates the couples of a chunk.
 struct Evaluation<'a, 'b> {

@@ -182,6 +182,11 @@ impl Contact3 {
         Ok(())
     }
 
+    /// Makes the next step detect: what may touch has changed.
+    pub fn detect_next(&mut self) {
+        self.travel = self.travel.max(self.settings.buffer);
+    }
+
     /// Work done so far.
     #[must_use]
     pub fn work(&self) -> CoupleWork {

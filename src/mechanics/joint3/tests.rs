@@ -229,3 +229,60 @@ proptest! {
         }
     }
 }
+
+/// Law of the `.Y3D` lineage (spec `y3d.md` 7, part D).
+fn mohr_coulomb() -> CohesiveLaw {
+    CohesiveLaw {
+        tensile_strength: 1e6,
+        shear_strength: 3e6,
+        fracture_energy: 50.0,
+        shear_fracture_energy: 100.0,
+        cohesion: 3e6,
+        friction: 0.577,
+        penalty: 2e10,
+        peak_strength: 1e6,
+        ..law()
+    }
+}
+
+#[test]
+fn mid_edges_give_the_worked_forces() {
+    let mut opened = moved(Vec3::new(0.0, 0.0, 5e-5));
+    opened[0] += Vec3::new(2e-5, 1e-5, 3e-5);
+    let forces = [
+        [28808.7407792587, 14403.9860057806, 136011.3903369363],
+        [14404.1291148275, 7201.7517280974, 125143.366123501],
+        [14404.1291148919, 7201.751728144, 125143.366123501],
+    ];
+    let found = evaluate(&mohr_coulomb(), &Points::MID_EDGES, &opened);
+    for (found, expected) in found.pair_forces.iter().zip(forces) {
+        (0..3).for_each(|k| close(found[k], expected[k], 1e8));
+    }
+    assert!(!found.fails);
+}
+
+/// Pressure raises the shear strength.
+#[test]
+fn mid_edges_under_pressure_give_the_worked_forces() {
+    let pressed = moved(Vec3::new(4e-5, 0.0, -2e-5));
+    let found = evaluate(&mohr_coulomb(), &Points::MID_EDGES, &pressed);
+    for force in found.pair_forces {
+        close(force.x, 110728.9280408608, 1e8);
+        close(force.y, 0.0, 1e8);
+        close(force.z, -58578.6437626905, 1e8);
+    }
+}
+
+/// Two of three points decide.
+#[test]
+fn mid_edges_fail_when_two_have() {
+    let mut torn = moved(Vec3::zeros());
+    let end = 1e-3;
+    torn[0].z += end;
+    // two edges meet in the torn corner
+    assert!(evaluate(&mohr_coulomb(), &Points::MID_EDGES, &torn).fails);
+    let mut half = moved(Vec3::zeros());
+    (half[0].z, half[1].z) = (3.5e-4, 3.5e-4);
+    // the edge between them has lost its strength, the others have not
+    assert!(!evaluate(&mohr_coulomb(), &Points::MID_EDGES, &half).fails);
+}

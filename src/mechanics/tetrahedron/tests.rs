@@ -1,6 +1,9 @@
 //! Worked numbers and answers in closed form.
 
-use super::{ReferenceShape, cauchy_stress, nodal_forces, sixfold_volume, strain_energy};
+use super::{
+    ReferenceShape, SolidLaw, Volumetric, cauchy_stress, nodal_forces, sixfold_volume,
+    strain_energy,
+};
 use crate::mechanics::{Vec3, triangle::Elasticity};
 use nalgebra::{Matrix3, Rotation3};
 use proptest::prelude::*;
@@ -12,8 +15,15 @@ const UNIT: [Vec3; 4] = [
     Vec3::new(0.0, 0.0, 1.0),
 ];
 
-const LAW: Elasticity =
-    Elasticity { lame_lambda: 2e9, shear_modulus: 3e9, viscosity: 1e4, volumetric_share: 0.5 };
+const LAW: SolidLaw = SolidLaw {
+    elasticity: Elasticity {
+        lame_lambda: 2e9,
+        shear_modulus: 3e9,
+        viscosity: 1e4,
+        volumetric_share: 0.5,
+    },
+    volumetric: Volumetric::Difference,
+};
 
 fn close(found: f64, expected: f64, scale: f64) {
     assert!((found - expected).abs() <= 1e-13 * scale, "{found} against {expected}");
@@ -76,7 +86,7 @@ fn simple_shear_gives_its_two_stresses() {
     let by = Matrix3::new(1.0, shear, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0);
     let reference = ReferenceShape::new(&UNIT);
     let (stress, _) = cauchy_stress(&LAW, &reference, &deformed(&by), &[Vec3::zeros(); 4]);
-    let mu = LAW.shear_modulus;
+    let mu = LAW.elasticity.shear_modulus;
     let mut expected = Matrix3::zeros();
     expected[(0, 0)] = mu * shear * shear;
     expected[(0, 1)] = mu * shear;
@@ -89,14 +99,15 @@ fn simple_shear_gives_its_two_stresses() {
 /// A tetrahedron that swells by J in volume is under (λ/2)(J − 1/J) where it has no shear modulus.
 #[test]
 fn swelling_gives_the_volumetric_stress() {
-    let law = Elasticity { shear_modulus: 0.0, ..LAW };
+    let law = SolidLaw { elasticity: Elasticity { shear_modulus: 0.0, ..LAW.elasticity }, ..LAW };
     let reference = ReferenceShape::new(&UNIT);
     for (ratio, expected) in [(1.1_f64, 0.095_454_545_454_545_45), (0.9, -0.105_555_555_555_555_6)]
     {
         let by = Matrix3::identity() * ratio.cbrt();
         let (stress, _) = cauchy_stress(&law, &reference, &deformed(&by), &[Vec3::zeros(); 4]);
         for k in 0..3 {
-            close(stress[(k, k)], expected * law.lame_lambda, law.lame_lambda);
+            let lambda = law.elasticity.lame_lambda;
+            close(stress[(k, k)], expected * lambda, lambda);
         }
     }
 }
@@ -107,10 +118,19 @@ prop_compose! {
     }
 }
 
+fn elastic(volumetric: Volumetric) -> SolidLaw {
+    SolidLaw { elasticity: Elasticity { viscosity: 0.0, ..LAW.elasticity }, volumetric }
+}
+
+const BOTH: [Volumetric; 2] = [Volumetric::Difference, Volumetric::Logarithm];
+
 fn forces_of(corners: &[Vec3; 4]) -> [Vec3; 4] {
-    let law = Elasticity { viscosity: 0.0, ..LAW };
+    forces_under(&elastic(Volumetric::Difference), corners)
+}
+
+fn forces_under(law: &SolidLaw, corners: &[Vec3; 4]) -> [Vec3; 4] {
     let reference = ReferenceShape::new(&UNIT);
-    let (stress, _) = cauchy_stress(&law, &reference, corners, &[Vec3::zeros(); 4]);
+    let (stress, _) = cauchy_stress(law, &reference, corners, &[Vec3::zeros(); 4]);
     nodal_forces(&stress, corners)
 }
 
@@ -140,17 +160,74 @@ proptest! {
     /// Forces are minus the gradient of the strain energy.
     #[test]
     fn forces_are_those_of_the_energy(by in stretch(), node in 0..4_usize, axis in 0..3_usize) {
-        let law = Elasticity { viscosity: 0.0, ..LAW };
         let reference = ReferenceShape::new(&UNIT);
         let corners = deformed(&by);
-        let energy = |by: f64| {
-            let mut moved = corners;
-            moved[node][axis] += by;
-            strain_energy(&law, &reference, &moved)
-        };
-        let step = 1e-5;
-        let slope = (energy(step) - energy(-step)) / (2.0 * step);
-        let force = forces_of(&corners)[node][axis];
-        prop_assert!((slope + force).abs() < 1e-5 * LAW.shear_modulus, "{slope} {force}");
+        for law in BOTH.map(elastic) {
+            let energy = |by: f64| {
+                let mut moved = corners;
+                moved[node][axis] += by;
+                strain_energy(&law, &reference, &moved)
+            };
+            let step = 1e-5;
+            let slope = (energy(step) - energy(-step)) / (2.0 * step);
+            let force = forces_under(&law, &corners)[node][axis];
+            let scale = law.elasticity.shear_modulus;
+            prop_assert!((slope + force).abs() < 1e-5 * scale, "{slope} {force}");
+        }
+    }
+}
+
+/// Spec `y3d.md` 7, part A: the law of the `.Y3D` lineage, with and without viscosity.
+#[test]
+fn the_logarithmic_law_gives_the_worked_stress_and_forces() {
+    let initial = [
+        Vec3::zeros(),
+        Vec3::new(1.0, 0.0, 0.0),
+        Vec3::new(0.2, 1.1, 0.0),
+        Vec3::new(0.1, 0.3, 0.9),
+    ];
+    let by = Matrix3::new(1.02, 0.03, -0.01, 0.0, 0.97, 0.02, 0.015, -0.005, 1.01);
+    let corners = initial.map(|x| by * x + Vec3::new(0.5, -0.2, 0.1));
+    let velocities = [
+        Vec3::new(0.1, 0.0, 0.0),
+        Vec3::new(0.0, 0.2, 0.0),
+        Vec3::new(0.0, 0.0, -0.3),
+        Vec3::new(0.05, 0.05, 0.05),
+    ];
+    let law = |viscosity| SolidLaw {
+        elasticity: Elasticity {
+            lame_lambda: 4e8,
+            shear_modulus: 4e8,
+            viscosity,
+            volumetric_share: 0.5,
+        },
+        volumetric: Volumetric::Logarithm,
+    };
+    let reference = ReferenceShape::new(&initial);
+    close(reference.nodal_mass(2500.0), 103.125, 1e3);
+    let (stress, _) = cauchy_stress(&law(0.0), &reference, &corners, &velocities);
+    let worked = [
+        16387525.770670328,
+        11565198.55675125,
+        2020908.3983250365,
+        -23670480.30305979,
+        6142761.171146468,
+        7963739.278642425,
+    ];
+    let upper = [(0, 0), (0, 1), (0, 2), (1, 1), (1, 2), (2, 2)];
+    for (at, expected) in upper.into_iter().zip(worked) {
+        close(stress[at], expected, 1e9);
+    }
+    let (stress, _) = cauchy_stress(&law(2e5), &reference, &corners, &velocities);
+    let forces = [
+        [4246851.831584601, -222660.1511193477, 2035749.0594611822],
+        [-2219831.561019196, -2687911.7516547046, -59173.4568036189],
+        [-1692723.7815241276, 3965613.0563321984, -525729.8895498936],
+        [-334296.4890412767, -1055041.1535581464, -1450845.7131076697],
+    ];
+    for (found, expected) in nodal_forces(&stress, &corners).iter().zip(forces) {
+        for k in 0..3 {
+            close(found[k], expected[k], 1e9);
+        }
     }
 }

@@ -71,7 +71,11 @@ fn body_grid(simulation: &SpatialSimulation) -> UnstructuredGrid {
     let tetrahedra: Vec<usize> = simulation.tetrahedra().collect();
     let mut cells = Cells::with_capacity(CellType::Tetra, tetrahedra.len());
     for &t in &tetrahedra {
-        cells.push(CellType::Tetra, &scene.elements.corners::<4>(t).map(|n| n as u32));
+        if scene.elements.edge_nodes.get(t).is_some_and(|edges| edges[0] >= 0) {
+            cells.push(CellType::QuadraticTetra, &scene.elements.all_nodes(t).map(|n| n as u32));
+        } else {
+            cells.push(CellType::Tetra, &scene.elements.corners::<4>(t).map(|n| n as u32));
+        }
     }
     let displacement = nodes.current.iter().zip(&nodes.initial).map(|(x, x0)| x - x0);
     let force = simulation.forces().iter().zip(simulation.joint_forces()).map(|(f, j)| j + f);

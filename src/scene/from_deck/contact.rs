@@ -40,8 +40,8 @@ pub(super) fn read(reader: &mut Reader<'_>, dimension: usize) -> Option<ContactS
     Some(ContactSettings {
         buffer,
         initial_travel: reader.real("YDI/DIEDI"),
-        selection: match Conventions::of(reader.database.dialect()) {
-            Some(c) if c.selection == ContactSelection::Flagged => ContactSelection::Flagged,
+        selection: match Conventions::of(reader.database.dialect()).selection {
+            ContactSelection::Flagged => ContactSelection::Flagged,
             _ if reader.integer("YDC/IWFAST") == 0 => ContactSelection::All,
             _ => ContactSelection::Tagged,
         },

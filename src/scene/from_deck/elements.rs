@@ -50,6 +50,7 @@ pub(super) fn read(
         state: (0..state_rows)
             .map(|row| (0..len).map(|e| state.map_or(0.0, |s| s.get2(row, e))).collect())
             .collect(),
+        edge_nodes: Vec::new(),
         joint_kind: vec![JointKind::NoJoint; len],
         fracture: vec![-1; len],
         sides: vec![[-1; 2]; len],

@@ -23,6 +23,7 @@ mod reader;
 mod solids;
 mod unsupported;
 mod update;
+mod y3d;
 mod ygeo;
 
 pub use update::{replay_settings, update_scene, update_spatial_scene};
@@ -69,6 +70,11 @@ pub fn spatial_from_deck(
     profile: Profile,
     contact: SpatialContact,
 ) -> BuildOutcome<3> {
+    if database.dialect() == Dialect::Y3d {
+        let mut reader = Reader::new(deck, database);
+        let scene = y3d::build(&mut reader, name);
+        return finished(reader, scene);
+    }
     outcome(Reader::new(deck, database).with_contact(contact), name, profile)
 }
 
@@ -77,6 +83,10 @@ where
     Scene<D>: Shapes,
 {
     let scene = build(&mut reader, name, profile);
+    finished(reader, scene)
+}
+
+fn finished<const D: usize>(reader: Reader<'_>, scene: Option<Scene<D>>) -> BuildOutcome<D> {
     let findings = reader.into_findings();
     let failed = findings.iter().any(Diagnostic::is_error);
     BuildOutcome { scene: scene.filter(|_| !failed), findings }
@@ -87,7 +97,7 @@ where
     Scene<D>: Shapes,
 {
     unsupported::check(reader);
-    let conventions = Conventions::of(reader.database.dialect())?;
+    let conventions = Conventions::of(reader.database.dialect());
     let control = control::read(reader, D);
     let nodes = nodes::read(reader)?;
     let node_count = nodes.len();
@@ -125,6 +135,8 @@ where
         joint_points: joints::points(reader, profile),
         broken_code: joints::broken_code(D, profile),
         hysteretic_joints: reader.integer("YDPJ/IUSEHY") != 0,
+        face_pressures: Vec::new(),
+        pressure_ramp: 0.0,
         contact,
         insertion,
         probes,

@@ -42,6 +42,7 @@ pub(super) fn read<const D: usize>(reader: &mut Reader<'_>, profile: Profile) ->
                         if is_free(k) { 0.0 } else { amplitudes[k](set) }
                     },
                 ),
+                acceleration: [0.0; D],
                 pressure: pressure(set),
                 traction: traction(set),
                 edge_factor: if is_classic { factor(set) } else { 1.0 },

@@ -6,7 +6,7 @@ use super::{
     reader::Offenders,
 };
 use crate::{
-    mechanics::{Vec3, tetrahedron::sixfold_volume},
+    mechanics::{Vec3, tetrahedron::sixfold_volume, tetrahedron10},
     scene::{Combination, ElementKind, Insertion, ProbeQuantity, Scene},
 };
 use std::collections::HashMap;
@@ -191,7 +191,12 @@ fn check_time_step(reader: &mut Reader<'_>, scene: &Scene<3>, bodies: &[usize]) 
     let mut critical: Option<(f64, usize)> = None;
     for &e in bodies {
         let material = &scene.materials[scene.elements.property[e] as usize];
-        if material.kind != ElementKind::Tetrahedron || material.density <= 0.0 {
+        let share = match material.kind {
+            ElementKind::Tetrahedron => 1.0,
+            ElementKind::QuadraticTetrahedron => tetrahedron10::STABLE_SHARE,
+            _ => continue,
+        };
+        if material.density <= 0.0 {
             continue;
         }
         let corners = scene.elements.corners::<4>(e).map(|n| scene.nodes.initial[n]);
@@ -202,7 +207,7 @@ fn check_time_step(reader: &mut Reader<'_>, scene: &Scene<3>, bodies: &[usize]) 
         let largest = FACES.iter().map(double_area).fold(0.0, f64::max);
         let height = sixfold_volume(&corners) / largest;
         let stiffness = material.lame_lambda + 2.0 * material.shear_modulus;
-        let crossing = height / (stiffness / material.density).sqrt();
+        let crossing = share * height / (stiffness / material.density).sqrt();
         if critical.is_none_or(|(least, _)| crossing < least) {
             critical = Some((crossing, e));
         }

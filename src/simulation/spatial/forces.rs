@@ -3,11 +3,11 @@
 use super::{FaceFailure, SpatialSimulation};
 use crate::{
     mechanics::{
-        Vec3,
+        Vec3, face_load,
         joint3::{self, JointResponse, Points},
-        tetrahedron,
+        tetrahedron, tetrahedron10,
     },
-    scene::{JointKind, JointPoints},
+    scene::{ContactSelection, JointKind, JointPoints},
     simulation::StressUse,
     team::Team,
 };
@@ -26,6 +26,7 @@ impl JointPoints {
         match self {
             Self::Three => Points::THREE,
             Self::Seven => Points::SEVEN,
+            Self::MidEdges => Points::MID_EDGES,
         }
     }
 }
@@ -55,10 +56,11 @@ pub(super) fn for_each<T: Send>(team: &Team, items: &mut [T], act: impl Fn(usize
 }
 
 impl SpatialSimulation {
-    /// Sets the nodal forces to those of the tetrahedra: materials ascending, elements ascending.
+    /// Sets the nodal forces to those of the tetrahedra, those with four nodes first: materials
+    /// ascending, elements ascending.
     pub(super) fn add_tetrahedron_forces(&mut self) {
         let keeps_stress = self.needs_stress();
-        let Self { scene, plan, tetrahedron_slots, force, options, .. } = self;
+        let Self { scene, plan, tetrahedron_slots, quadratic_slots, force, options, .. } = self;
         let team = &options.team;
         let nodes = &scene.nodes;
         let inverted = AtomicU32::new(u32::MAX);
@@ -77,16 +79,48 @@ impl SpatialSimulation {
                 inverted.fetch_min(planned.element, Ordering::Relaxed);
             }
         });
-        let slots = &*tetrahedron_slots;
+        for_each(team, quadratic_slots, |t, slot| {
+            let planned = &plan.quadratic[t];
+            let places = planned.nodes.map(|n| nodes.current[n as usize]);
+            let velocities = planned.nodes.map(|n| nodes.velocity[n as usize]);
+            let law = &plan.laws[planned.material as usize];
+            *slot = tetrahedron10::evaluate(law, &planned.reference, &places, &velocities);
+            // what is no number has turned over, too
+            if slot.least_jacobian.partial_cmp(&0.0) != Some(std::cmp::Ordering::Greater) {
+                inverted.fetch_min(planned.element, Ordering::Relaxed);
+            }
+        });
+        let (slots, quadratic_slots) = (&*tetrahedron_slots, &*quadratic_slots);
+        let has_quadratic = !quadratic_slots.is_empty();
         for_each(team, force, |n, force| {
             *force = Vec3::zeros();
             for &slot in plan.tetrahedron_shares.of(n) {
                 *force += slots[slot as usize / 4].forces[slot as usize % 4];
             }
+            if has_quadratic {
+                for &slot in plan.quadratic_shares.of(n) {
+                    let nodes = tetrahedron10::NODES;
+                    *force += quadratic_slots[slot as usize / nodes].forces[slot as usize % nodes];
+                }
+            }
         });
         let inverted = inverted.into_inner();
         if inverted != u32::MAX && self.first_inversion.is_none() {
             self.first_inversion = Some((self.step, inverted as usize));
+        }
+    }
+
+    /// Adds the pressures on faces, faces ascending.
+    pub(super) fn add_face_pressures(&mut self) {
+        let Self { scene, plan, force, time, .. } = self;
+        let rise = scene.pressure_ramp;
+        let factor = if rise > 0.0 { (*time / rise).min(1.0) } else { 1.0 };
+        for (nodes, pressure) in &plan.pressed_faces {
+            let corners = nodes.map(|n| scene.nodes.current[n as usize]);
+            let share = face_load::nodal_force(&corners, pressure * factor);
+            for &n in nodes {
+                force[n as usize] += share;
+            }
         }
     }
 
@@ -140,6 +174,11 @@ impl SpatialSimulation {
         let (element, law) = (planned.element as usize, planned.law as usize);
         let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
         self.scene.elements.joint_kind[element] = JointKind::Broken;
+        if let Some(contact) = &mut self.contact
+            && self.scene.conventions.selection == ContactSelection::Bodies
+        {
+            contact.detect_next();
+        }
         let points = self.scene.joint_points.points();
         let state = joint3::state(&self.scene.cohesive_laws[law], &points, &corners);
         self.failures.push(FaceFailure {

@@ -21,7 +21,7 @@ use crate::{
         spatial::{Contact3, Motion3},
     },
     insertion::{self, CapacityError, InsertionReport},
-    mechanics::{Vec3, joint3::JointResponse},
+    mechanics::{Vec3, joint3::JointResponse, tetrahedron10},
     scene::{ContactSettings, PairProperties, Scene},
 };
 use forces::TetrahedronResponse;
@@ -76,6 +76,8 @@ pub struct SpatialSimulation {
     first_inversion: Option<(u64, usize)>,
     /// What each planned tetrahedron does to its nodes.
     tetrahedron_slots: Vec<TetrahedronResponse>,
+    /// What each planned ten-node tetrahedron does to its nodes.
+    quadratic_slots: Vec<tetrahedron10::Response>,
     /// What each planned joint does to its nodes.
     joint_slots: Vec<JointResponse>,
     /// Boundary conditions of the present step.
@@ -111,6 +113,7 @@ impl SpatialSimulation {
             failures: Vec::new(),
             first_inversion: None,
             tetrahedron_slots: Vec::new(),
+            quadratic_slots: Vec::new(),
             joint_slots: Vec::new(),
             drives: Vec::new(),
             clock: PhaseClock::default(),
@@ -169,6 +172,7 @@ impl SpatialSimulation {
     pub fn evaluate_forces(&mut self) {
         self.clock.start();
         self.add_tetrahedron_forces();
+        self.add_face_pressures();
         self.clock.lap(Phase::Triangles);
         self.add_joint_forces();
         self.clock.lap(Phase::Joints);
@@ -228,6 +232,7 @@ impl SpatialSimulation {
     /// Buffers of the step loop, which allocates nothing.
     fn make_room(&mut self) {
         self.tetrahedron_slots = vec![TetrahedronResponse::default(); self.plan.tetrahedra.len()];
+        self.quadratic_slots = vec![tetrahedron10::Response::default(); self.plan.quadratic.len()];
         self.joint_slots = vec![JointResponse::default(); self.plan.joints.len()];
         self.failures.reserve(self.plan.joints.len());
     }

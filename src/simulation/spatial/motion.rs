@@ -39,7 +39,10 @@ impl Drive {
         Self {
             conditions: *conditions,
             amplitudes: amplitudes.map(|a| a * factor),
-            gravity: scene.control.gravity,
+            gravity: std::array::from_fn(|k| match axes.acceleration[k] {
+                0.0 => scene.control.gravity[k],
+                added => scene.control.gravity[k] + added,
+            }),
             dt: scene.control.time_step,
             inverse: prescribed.then(|| axes.inverse_axes()),
             axes: axes.axes,

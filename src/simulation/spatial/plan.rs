@@ -1,7 +1,11 @@
 //! Lists made once per mesh: what the step loop visits, in the original's order.
 
 use crate::{
-    mechanics::{tetrahedron::ReferenceShape, triangle::Elasticity},
+    mechanics::{
+        tetrahedron::{ReferenceShape, SolidLaw},
+        tetrahedron10,
+        triangle::Elasticity,
+    },
     scene::{ElementKind, JointKind, ProbeQuantity, Scene},
 };
 
@@ -12,6 +16,15 @@ pub(super) struct PlannedTetrahedron {
     pub material: u32,
     pub corners: [u32; 4],
     pub reference: ReferenceShape,
+}
+
+/// A ten-node tetrahedron.
+#[derive(Debug, Clone)]
+pub(super) struct PlannedQuadratic {
+    pub element: u32,
+    pub material: u32,
+    pub nodes: [u32; tetrahedron10::NODES],
+    pub reference: tetrahedron10::ReferenceShape,
 }
 
 /// A joint that was live when the plan was made.
@@ -60,15 +73,22 @@ impl Shares {
 #[derive(Debug, Clone, Default)]
 pub(super) struct Plan {
     /// Law of each material.
-    pub laws: Vec<Elasticity>,
+    pub laws: Vec<SolidLaw>,
     /// Materials ascending, elements ascending within.
     pub tetrahedra: Vec<PlannedTetrahedron>,
+    /// Materials ascending, elements ascending within.
+    pub quadratic: Vec<PlannedQuadratic>,
     /// Joint sets ascending, elements ascending within.
     pub joints: Vec<PlannedJoint>,
     pub tetrahedron_shares: Shares,
+    pub quadratic_shares: Shares,
     pub joint_shares: Shares,
-    /// Place of each element in the list of tetrahedra, if it is one.
+    /// Place of each element in the list of tetrahedra with four nodes, if it is one.
     pub slot_of_element: Vec<Option<u32>>,
+    /// The same for those with ten.
+    pub quadratic_of_element: Vec<Option<u32>>,
+    /// Faces under pressure and this, Pa.
+    pub pressed_faces: Vec<([u32; 3], f64)>,
     pub nodal_mass: Vec<f64>,
     /// Nodes at the place of a force probe.
     pub force_probes: Vec<(usize, u32)>,
@@ -82,24 +102,31 @@ impl Plan {
             laws: scene
                 .materials
                 .iter()
-                .map(|m| Elasticity {
-                    lame_lambda: m.lame_lambda,
-                    shear_modulus: m.shear_modulus,
-                    viscosity: m.viscosity,
-                    volumetric_share: scene.conventions.volumetric.factor(),
+                .map(|m| SolidLaw {
+                    elasticity: Elasticity {
+                        lame_lambda: m.lame_lambda,
+                        shear_modulus: m.shear_modulus,
+                        viscosity: m.viscosity,
+                        volumetric_share: scene.conventions.volumetric.factor(),
+                    },
+                    volumetric: scene.conventions.solid_volumetric,
                 })
                 .collect(),
             nodal_mass: vec![0.0; nodes],
             slot_of_element: vec![None; scene.elements.len()],
+            quadratic_of_element: vec![None; scene.elements.len()],
+            pressed_faces: pressed_faces(scene),
             ..Self::default()
         };
         for material in 0..scene.materials.len() {
             plan.add_tetrahedra(scene, material);
+            plan.add_quadratic(scene, material);
         }
         for law in 0..scene.cohesive_laws.len() {
             plan.add_joints(scene, law);
         }
         plan.tetrahedron_shares = Shares::new(nodes, plan.tetrahedra.iter().map(|t| t.corners));
+        plan.quadratic_shares = Shares::new(nodes, plan.quadratic.iter().map(|t| t.nodes));
         plan.joint_shares = Shares::new(nodes, plan.joints.iter().map(|j| j.corners));
         plan.add_probes(scene);
         plan
@@ -125,6 +152,31 @@ impl Plan {
                 element: element as u32,
                 material: material as u32,
                 corners: corners.map(|n| n as u32),
+                reference,
+            });
+        }
+    }
+
+    fn add_quadratic(&mut self, scene: &Scene<3>, material: usize) {
+        let m = &scene.materials[material];
+        if m.kind != ElementKind::QuadraticTetrahedron {
+            return;
+        }
+        for element in 0..scene.elements.len() {
+            if scene.elements.property[element] != material as i32 {
+                continue;
+            }
+            let nodes = scene.elements.all_nodes(element);
+            let reference =
+                tetrahedron10::ReferenceShape::new(&nodes.map(|n| scene.nodes.initial[n]));
+            for (n, mass) in nodes.into_iter().zip(reference.nodal_masses(m.density)) {
+                self.nodal_mass[n] += mass;
+            }
+            self.quadratic_of_element[element] = Some(self.quadratic.len() as u32);
+            self.quadratic.push(PlannedQuadratic {
+                element: element as u32,
+                material: material as u32,
+                nodes: nodes.map(|n| n as u32),
                 reference,
             });
         }
@@ -163,4 +215,15 @@ impl Plan {
             }
         }
     }
+}
+
+/// Nodes of the faces under pressure as they are now, and the pressures.
+fn pressed_faces(scene: &Scene<3>) -> Vec<([u32; 3], f64)> {
+    let faces = scene.face_pressures.iter();
+    faces
+        .map(|face| {
+            let nodes = scene.elements.corners::<4>(face.element);
+            (face.corners.map(|i| nodes[usize::from(i)] as u32), face.pressure)
+        })
+        .collect()
 }

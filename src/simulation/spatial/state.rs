@@ -81,6 +81,10 @@ impl SpatialState {
                 && elements.table_rows == scene.elements.table_rows,
             "its elements have other values",
         )?;
+        require(
+            elements.edge_nodes == scene.elements.edge_nodes,
+            "its ten-node tetrahedra have other nodes",
+        )?;
         let is_node = |&n: &i32| usize::try_from(n).is_ok_and(|n| n < nodes.len());
         for (corners, kind) in elements.nodes.iter().zip(&elements.joint_kind) {
             let needed = if *kind == JointKind::NoJoint { 4 } else { 6 };
@@ -138,6 +142,7 @@ impl SpatialSimulation {
             first_inversion,
             // made anew in every step
             tetrahedron_slots: _,
+            quadratic_slots: _,
             joint_slots: _,
             drives: _,
             clock: _,

@@ -58,12 +58,17 @@ impl SpatialSimulation {
         self.stress_use = stress_use;
     }
 
-    /// Cauchy stress of a tetrahedron in the last evaluation, Pa, if [`Self::keep_stresses`] has
+    /// Cauchy stress of a tetrahedron (with ten nodes: the mean of its points) in the last evaluation, Pa, if [`Self::keep_stresses`] has
     /// not said that nobody wants to know; zero for other elements.
     #[must_use]
     pub fn stress(&self, element: usize) -> Matrix3<f64> {
         let slot = self.plan.slot_of_element.get(element).copied().flatten();
-        slot.map_or_else(Matrix3::zeros, |slot| self.tetrahedron_slots[slot as usize].stress)
+        let quadratic = self.plan.quadratic_of_element.get(element).copied().flatten();
+        match (slot, quadratic) {
+            (Some(slot), _) => self.tetrahedron_slots[slot as usize].stress,
+            (None, Some(slot)) => self.quadratic_slots[slot as usize].stress,
+            (None, None) => Matrix3::zeros(),
+        }
     }
 
     /// Values of the history outputs.
