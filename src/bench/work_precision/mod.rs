@@ -12,7 +12,7 @@ mod settings;
 mod study;
 mod tables;
 
-pub use problem::{Problem, Run, Solution, solve};
+pub use problem::{Answer, InPlane, InSpace, Problem, Run, Solution, SpatialRun, Stepped, solve};
 pub use problems::PROBLEMS;
 pub use settings::{Parameter, Settings};
 pub use study::{Point, Study, Sweep, study};

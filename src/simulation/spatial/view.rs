@@ -3,7 +3,7 @@
 use super::{FaceFailure, SpatialSimulation};
 use crate::{
     insertion::InsertionReport,
-    mechanics::{Vec3, joint3},
+    mechanics::{Vec3, joint3, tetrahedron},
     scene::{JointKind, Scene},
     simulation::{JointCondition, SolverOptions, StressUse},
 };
@@ -111,6 +111,18 @@ impl SpatialSimulation {
     /// Elements that are tetrahedra, ascending.
     pub fn tetrahedra(&self) -> impl Iterator<Item = usize> + '_ {
         (0..self.scene.elements.len()).filter(|&e| self.scene.material_of(e).is_some())
+    }
+
+    /// Strain energy of all tetrahedra with four nodes, J, materials ascending, elements ascending.
+    #[must_use]
+    pub fn sum_strain_energy(&self) -> f64 {
+        let places = &self.scene.nodes.current;
+        let energies = self.plan.tetrahedra.iter().map(|planned| {
+            let corners = planned.corners.map(|n| places[n as usize]);
+            let law = &self.plan.laws[planned.material as usize];
+            tetrahedron::strain_energy(law, &planned.reference, &corners)
+        });
+        energies.sum()
     }
 }
 

@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
+    bench::work_precision::{Answer, InPlane, Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::TwoBars},
     scene::Scene,
 };
@@ -14,26 +14,32 @@ use std::f64::consts::PI;
 pub struct BarWave;
 
 /// Length of the bar, m.
-const LENGTH: f64 = 2.0;
+pub(super) const LENGTH: f64 = 2.0;
 /// Width of the hump g, m.
 const WIDTH: f64 = 0.8;
 /// How far the waves run, m: they keep off the ends.
-const WAY: f64 = 0.5;
+pub(super) const WAY: f64 = 0.5;
 /// Young's modulus, Pa.
-const YOUNG: f64 = 10e3;
+pub(super) const YOUNG: f64 = 10e3;
 /// Density, kg/m³.
-const DENSITY: f64 = 1000.0;
+pub(super) const DENSITY: f64 = 1000.0;
 /// Velocity by the wave's: strains are as large, so that the answer is that of small strains.
-const AMPLITUDE: f64 = 1e-6;
+pub(super) const AMPLITUDE: f64 = 1e-6;
 
-fn wave_speed() -> f64 {
+pub(super) fn wave_speed() -> f64 {
     (YOUNG / DENSITY).sqrt()
 }
 
 /// A smooth hump of height 1 in the middle of the bar.
-fn hump(x: f64) -> f64 {
+pub(super) fn hump(x: f64) -> f64 {
     let from_middle = (x - 0.5 * LENGTH) / WIDTH;
     if from_middle.abs() < 0.5 { (PI * from_middle).cos().powi(4) } else { 0.0 }
+}
+
+/// Velocity at a place and time, m/s.
+pub(super) fn exact(x: f64, t: f64) -> f64 {
+    let c = wave_speed();
+    0.5 * AMPLITUDE * c * (hump(x - c * t) + hump(x + c * t))
 }
 
 impl Problem for BarWave {
@@ -91,6 +97,12 @@ impl Problem for BarWave {
         scenario.two_bars.as_mut().map(|bars| &mut bars.material)
     }
 
+    fn answer(&self) -> Answer<'_> {
+        Answer::Plane(self)
+    }
+}
+
+impl InPlane for BarWave {
     fn start(&self, scene: &mut Scene) {
         let nodes = &mut scene.nodes;
         for (velocity, place) in nodes.velocity.iter_mut().zip(&nodes.initial) {
@@ -102,11 +114,10 @@ impl Problem for BarWave {
         run.finish();
         let simulation = &run.simulation;
         let nodes = &simulation.scene().nodes;
-        let (c, t) = (wave_speed(), simulation.time());
         let (mut wrong, mut all) = (0.0, 0.0);
         for (n, place) in nodes.initial.iter().enumerate() {
             let (mass, v) = (simulation.masses()[n], nodes.velocity[n]);
-            let exact = 0.5 * AMPLITUDE * c * (hump(place.x - c * t) + hump(place.x + c * t));
+            let exact = exact(place.x, simulation.time());
             wrong += mass * ((v.x - exact).powi(2) + v.y * v.y);
             all += mass * exact * exact;
         }

@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
+    bench::work_precision::{Answer, InPlane, Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::Column},
 };
 
@@ -51,6 +51,12 @@ impl Problem for SelfWeight {
         scenario.column.as_mut().map(|column| &mut column.stone)
     }
 
+    fn answer(&self) -> Answer<'_> {
+        Answer::Plane(self)
+    }
+}
+
+impl InPlane for SelfWeight {
     fn error(&self, run: &mut Run<'_>) -> f64 {
         run.finish();
         let column = column(1);

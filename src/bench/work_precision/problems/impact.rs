@@ -1,5 +1,7 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run, Settings, recommendations::Purpose},
+    bench::work_precision::{
+        Answer, InPlane, Parameter, Problem, Run, Settings, recommendations::Purpose,
+    },
     meshing::{Material, Scenario, kinds::TwoBlocks},
 };
 
@@ -50,6 +52,12 @@ impl Problem for Impact {
         scenario.two_blocks.as_mut().map(|blocks| &mut blocks.material)
     }
 
+    fn answer(&self) -> Answer<'_> {
+        Answer::Plane(self)
+    }
+}
+
+impl InPlane for Impact {
     fn error(&self, run: &mut Run<'_>) -> f64 {
         let before = run.simulation.sum_kinetic_energy();
         run.finish();

@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
+    bench::work_precision::{Answer, InPlane, Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::Cube},
 };
 use std::f64::consts::TAU;
@@ -64,6 +64,12 @@ impl Problem for Patch {
         scenario.cube.as_mut().map(|cube| &mut cube.material)
     }
 
+    fn answer(&self) -> Answer<'_> {
+        Answer::Plane(self)
+    }
+}
+
+impl InPlane for Patch {
     fn error(&self, run: &mut Run<'_>) -> f64 {
         let cube = cube();
         let (omega, half) = (frequency(&cube), 0.5 * cube.edge_m);

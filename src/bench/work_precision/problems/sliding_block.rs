@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
+    bench::work_precision::{Answer, InPlane, Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::BlockOnPlane},
 };
 
@@ -39,6 +39,12 @@ impl Problem for SlidingBlock {
         scenario.block_on_plane.as_mut().map(|block| &mut block.material)
     }
 
+    fn answer(&self) -> Answer<'_> {
+        Answer::Plane(self)
+    }
+}
+
+impl InPlane for SlidingBlock {
     fn error(&self, run: &mut Run<'_>) -> f64 {
         run.finish();
         let block = BlockOnPlane::default();

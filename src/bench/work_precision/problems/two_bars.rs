@@ -1,5 +1,5 @@
 use crate::{
-    bench::work_precision::{Parameter, Problem, Run, recommendations::Purpose},
+    bench::work_precision::{Answer, InPlane, Parameter, Problem, Run, recommendations::Purpose},
     meshing::{Material, Scenario, kinds::TwoBars},
 };
 
@@ -55,6 +55,12 @@ impl Problem for TwoBarsContact {
         scenario.two_bars.as_mut().map(|bars| &mut bars.material)
     }
 
+    fn answer(&self) -> Answer<'_> {
+        Answer::Plane(self)
+    }
+}
+
+impl InPlane for TwoBarsContact {
     fn error(&self, run: &mut Run<'_>) -> f64 {
         run.finish();
         let end = TwoBars::default().length_m;
