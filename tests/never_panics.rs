@@ -87,8 +87,10 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
 
 /// Sound decks: the bases of the bad ones, reference cases of all dialects, a restart deck, and one
 /// of two stages.
-const DECKS: [&str; 13] = [
+const DECKS: [&str; 15] = [
     include_str!("bad_decks/base_classic_glued.y"),
+    include_str!("data/y3d/11_one_tet10.Y3D"),
+    include_str!("data/y3d/12_joint_pair.Y3D"),
     include_str!("bad_decks/base_ygeo.y"),
     include_str!("data/classic/k_unused_joint_prop/k_unused_joint_prop.y"),
     include_str!("bad_decks/classic_stages.y"),

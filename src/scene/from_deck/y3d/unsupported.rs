@@ -61,10 +61,10 @@ pub(super) fn check(reader: &mut Reader<'_>) {
 
 /// Whether a given entry is `wanted`.
 fn holds<T: Copy>(field: &Field<T>, wanted: impl Fn(T) -> bool) -> bool {
-    let shape = field.given_shape();
+    let given = |index: usize| field.given_shape().get(index).copied().unwrap_or(0);
     match field.rank() {
-        1 => (0..shape.first().copied().unwrap_or(0)).any(|i| wanted(field.get1(i))),
-        2 => (0..shape[0]).any(|i| (0..shape[1]).any(|j| wanted(field.get2(i, j)))),
+        1 => (0..given(0)).any(|i| wanted(field.get1(i))),
+        2 => (0..given(0)).any(|i| (0..given(1)).any(|j| wanted(field.get2(i, j)))),
         _ => false,
     }
 }
