@@ -11,3 +11,4 @@ pub mod scenes;
 pub mod settling;
 pub mod spoilt_deck;
 pub mod state_file;
+pub mod ten_node_cube;
