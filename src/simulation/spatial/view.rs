@@ -3,7 +3,7 @@
 use super::{FaceFailure, SpatialSimulation};
 use crate::{
     insertion::InsertionReport,
-    mechanics::{Vec3, joint3},
+    mechanics::{Vec3, joint3, tetrahedron},
     scene::{JointKind, Scene},
     simulation::{JointCondition, SolverOptions, StressUse},
 };
@@ -64,6 +64,16 @@ impl SpatialSimulation {
     pub fn stress(&self, element: usize) -> Matrix3<f64> {
         let slot = self.plan.slot_of_element.get(element).copied().flatten();
         slot.map_or_else(Matrix3::zeros, |slot| self.tetrahedron_slots[slot as usize].stress)
+    }
+
+    /// Strain energy of a tetrahedron where its nodes are now, J; `None` for other elements.
+    #[must_use]
+    pub fn strain_energy(&self, element: usize) -> Option<f64> {
+        let slot = self.plan.slot_of_element.get(element).copied().flatten()?;
+        let planned = &self.plan.tetrahedra[slot as usize];
+        let law = &self.plan.laws[planned.material as usize];
+        let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
+        Some(tetrahedron::strain_energy(law, &planned.reference, &corners))
     }
 
     /// Values of the history outputs.
