@@ -1,6 +1,10 @@
 //! Where and how long a case runs, with helpers to run scenarios.
 
-use crate::{Case, CaseError, case::Figure, measure};
+use crate::{
+    Case, CaseError,
+    case::Figure,
+    measure::{self, Moving},
+};
 use std::{
     ops::ControlFlow,
     path::{Path, PathBuf},
@@ -8,10 +12,10 @@ use std::{
     time::Instant,
 };
 use ypsilon::{
-    meshing::{Generated, Scenario},
-    scene::Profile,
+    meshing::{AnyKind, Generated, Scenario, SpatialGenerated, TimeStepBounds},
+    scene::{Profile, SpatialContact},
     session::{self, Checkpoints, DeckFault, Format, RunOptions, RunSummary, Silent, StopReason},
-    simulation::{AnySimulation, Simulation, SolverOptions},
+    simulation::{AnySimulation, Simulation, SolverOptions, SpatialSimulation},
     team::Team,
 };
 use ypsilon_post::{plot::Picture, results::Results, table::Table};
@@ -74,6 +78,29 @@ impl Run {
     pub fn monitors(&self) -> Result<Table, CaseError> {
         Ok(Table::read(&self.deck.with_extension("monitors.csv"))?)
     }
+}
+
+/// A simulation in the plane or in space that was watched step by step.
+pub struct WatchedAny {
+    /// What the time step may be.
+    pub bounds: TimeStepBounds,
+    /// The simulation where it stopped.
+    pub simulation: Box<dyn Moving>,
+    /// Whether velocities are no numbers any more.
+    pub is_unstable: bool,
+}
+
+/// A simulation in space that was watched step by step.
+#[derive(Debug)]
+pub struct WatchedInSpace {
+    /// What was made from the scenario.
+    pub generated: SpatialGenerated,
+    /// The simulation where it stopped.
+    pub simulation: SpatialSimulation,
+    /// Whether velocities are no numbers any more.
+    pub is_unstable: bool,
+    /// Wall-clock seconds.
+    pub seconds: f64,
 }
 
 /// A simulation that was watched step by step.
@@ -155,7 +182,7 @@ impl Bench {
         }
         let (generated, deck) = self.deck(scenario, name)?;
         let started = Instant::now();
-        let loaded = load(&deck)?;
+        let loaded = load(&deck, SolverOptions::default())?;
         let mut formats = formats.to_vec();
         formats.push(Format::Json);
         let options = RunOptions {
@@ -219,31 +246,89 @@ impl Bench {
         mut watch: impl FnMut(&Simulation) -> ControlFlow<()>,
     ) -> Result<Watched, CaseError> {
         let (generated, deck) = self.deck(scenario, name)?;
-        let loaded = load(&deck)?;
+        let loaded = load(&deck, SolverOptions::default())?;
         let Some(mut simulation) = loaded.simulation.and_then(AnySimulation::into_plane) else {
             return Err(CaseError::missing(format!("{} runs nothing", deck.display())));
         };
+        let (is_unstable, seconds) = self.step_through(&mut simulation, &mut watch);
+        Ok(Watched { generated, simulation, is_unstable, seconds })
+    }
+
+    /// The same for a structure in space, with a law of contact.
+    ///
+    /// # Errors
+    /// As [`Bench::watch`].
+    pub fn watch_in_space(
+        &self,
+        scenario: &Scenario,
+        name: &str,
+        contact: SpatialContact,
+        mut watch: impl FnMut(&SpatialSimulation) -> ControlFlow<()>,
+    ) -> Result<WatchedInSpace, CaseError> {
+        let generated = scenario.generate_in_space()?;
+        let deck = self.deck_path(name);
+        session::write_generated(&generated.deck, &deck)?;
+        let options = SolverOptions { spatial_contact: contact, ..SolverOptions::default() };
+        let loaded = load(&deck, options)?;
+        let Some(mut simulation) = loaded.simulation.and_then(AnySimulation::into_spatial) else {
+            return Err(CaseError::missing(format!("{} runs nothing", deck.display())));
+        };
+        let (is_unstable, seconds) = self.step_through(&mut simulation, &mut watch);
+        Ok(WatchedInSpace { generated, simulation, is_unstable, seconds })
+    }
+
+    /// The same for a structure in the plane or in space; the law of contact is for the latter.
+    ///
+    /// # Errors
+    /// As [`Bench::watch`].
+    pub fn watch_any(
+        &self,
+        scenario: &Scenario,
+        name: &str,
+        contact: SpatialContact,
+        mut watch: impl FnMut(&dyn Moving) -> ControlFlow<()>,
+    ) -> Result<WatchedAny, CaseError> {
+        Ok(match scenario.kind()? {
+            (_, AnyKind::Plane(_)) => {
+                let done = self.watch(scenario, name, |simulation| watch(simulation))?;
+                let (bounds, is_unstable) = (done.generated.bounds, done.is_unstable);
+                WatchedAny { bounds, simulation: Box::new(done.simulation), is_unstable }
+            }
+            (_, AnyKind::Spatial(_)) => {
+                let seen = |simulation: &SpatialSimulation| watch(simulation);
+                let done = self.watch_in_space(scenario, name, contact, seen)?;
+                let (bounds, is_unstable) = (done.generated.bounds, done.is_unstable);
+                WatchedAny { bounds, simulation: Box::new(done.simulation), is_unstable }
+            }
+        })
+    }
+
+    /// Steps to the end of the stage, or as long as it is watched and sound. Returns whether
+    /// motion became unstable, and the time it took.
+    fn step_through<S: Moving>(
+        &self,
+        simulation: &mut S,
+        watch: &mut impl FnMut(&S) -> ControlFlow<()>,
+    ) -> (bool, f64) {
         let started = Instant::now();
         let mut is_unstable = false;
         let first = simulation.step_index();
         loop {
             simulation.evaluate_forces();
-            if watch(&simulation).is_break()
-                || simulation.step_index() >= simulation.scene().control.end_step
-            {
+            if watch(simulation).is_break() || simulation.step_index() >= simulation.end_step() {
                 break;
             }
             simulation.advance();
-            if simulation.step_index().is_multiple_of(64) && !is_sound(&simulation) {
+            if simulation.step_index().is_multiple_of(64) && !is_sound(simulation) {
                 is_unstable = true;
                 break;
             }
         }
-        is_unstable |= !is_sound(&simulation);
+        is_unstable |= !is_sound(simulation);
         let seconds = started.elapsed().as_secs_f64();
         let steps = simulation.step_index() - first;
-        self.count(seconds, steps * simulation.triangles().count() as u64);
-        Ok(Watched { generated, simulation, is_unstable, seconds })
+        self.count(seconds, steps * simulation.bodies().len() as u64);
+        (is_unstable, seconds)
     }
 
     /// Writes a picture of the case.
@@ -281,14 +366,14 @@ impl Bench {
     }
 }
 
-fn is_sound(simulation: &Simulation) -> bool {
+fn is_sound(simulation: &impl Moving) -> bool {
     measure::kinetic_energy(simulation).is_finite()
 }
 
-fn load(deck: &Path) -> Result<session::LoadedDeck, CaseError> {
+fn load(deck: &Path, options: SolverOptions) -> Result<session::LoadedDeck, CaseError> {
     let team = Team::of_all_cores()
         .map_err(|source| CaseError::Io { path: deck.to_path_buf(), source })?;
-    let options = SolverOptions { team, ..SolverOptions::default() };
+    let options = SolverOptions { team, ..options };
     session::load(deck, None, Profile::default(), options).map_err(|fault| {
         let message = match &fault {
             DeckFault::Findings { findings, .. } => {

@@ -13,20 +13,23 @@ pub enum Group {
     MasonryWall,
     /// Chapter 4 of the thesis.
     Bridges,
+    /// Chapter 3 of the thesis as printed, in space, and masonry of tetrahedra.
+    Solids,
     /// Cases with published answers beyond the thesis.
     Classical,
 }
 
 impl Group {
     /// All of them, in the order of the report.
-    pub const ALL: [Self; 4] =
-        [Self::Validation, Self::MasonryWall, Self::Bridges, Self::Classical];
+    pub const ALL: [Self; 5] =
+        [Self::Validation, Self::Solids, Self::MasonryWall, Self::Bridges, Self::Classical];
 
     /// Its folder under `examples/`.
     #[must_use]
     pub fn folder(self) -> &'static str {
         match self {
             Self::Validation => "validation",
+            Self::Solids => "solids",
             Self::MasonryWall => "masonry-wall",
             Self::Bridges => "bridges",
             Self::Classical => "classical",
@@ -38,6 +41,7 @@ impl Group {
     pub fn title(self) -> &'static str {
         match self {
             Self::Validation => "Validations (chapter 3 of the thesis)",
+            Self::Solids => "In space: validations (chapter 3 of the thesis) and masonry",
             Self::MasonryWall => "Masonry shear wall (section 3.3 of the thesis)",
             Self::Bridges => "Masonry bridges (chapter 4 of the thesis)",
             Self::Classical => "Classical benchmarks",

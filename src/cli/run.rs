@@ -125,7 +125,7 @@ impl From<ProfileName> for Profile {
 pub(super) enum ContactName {
     /// The original's: faces of the element with the higher number
     OneSided,
-    /// Faces of both, with a potential: keeps energy, no matter how elements are numbered
+    /// Faces of both, from a potential; has a defect: see Theory in the manual
     TwoSided,
 }
 

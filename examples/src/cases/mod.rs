@@ -3,6 +3,7 @@
 pub mod bridges;
 pub mod classical;
 pub mod masonry_wall;
+pub mod solids;
 pub mod validation;
 
 use crate::Case;
@@ -10,11 +11,9 @@ use crate::Case;
 /// All cases, in the order of the report.
 #[must_use]
 pub fn all() -> Vec<&'static Case> {
-    [validation::CASES, masonry_wall::CASES, bridges::CASES, classical::CASES]
-        .into_iter()
-        .flatten()
-        .copied()
-        .collect()
+    let groups =
+        [validation::CASES, solids::CASES, masonry_wall::CASES, bridges::CASES, classical::CASES];
+    groups.into_iter().flatten().copied().collect()
 }
 
 /// The case with a name.

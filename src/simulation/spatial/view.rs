@@ -71,6 +71,16 @@ impl SpatialSimulation {
         }
     }
 
+    /// Strain energy of a tetrahedron where its nodes are now, J; `None` for other elements.
+    #[must_use]
+    pub fn strain_energy(&self, element: usize) -> Option<f64> {
+        let slot = self.plan.slot_of_element.get(element).copied().flatten()?;
+        let planned = &self.plan.tetrahedra[slot as usize];
+        let law = &self.plan.laws[planned.material as usize];
+        let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
+        Some(tetrahedron::strain_energy(law, &planned.reference, &corners))
+    }
+
     /// Values of the history outputs.
     #[must_use]
     pub fn probe_values(&self) -> &[f64] {

@@ -31,8 +31,8 @@ fn slide(bench: &Bench, scenario: &Scenario, name: &str) -> Result<[f64; 2], Cas
     let mut way = 0.0;
     let done = bench.watch(scenario, name, |simulation| {
         let nodes = held..simulation.masses().len();
-        let [vx, vy] = measure::velocity(simulation, nodes.clone());
-        let [ux, uy] = measure::displacement(simulation, nodes);
+        let [vx, vy, _] = measure::velocity(simulation, nodes.clone());
+        let [ux, uy, _] = measure::displacement(simulation, nodes);
         way = ux * cos - uy * sin;
         late = [simulation.time(), vx * cos - vy * sin];
         if simulation.time() < 0.1 {

@@ -1,12 +1,12 @@
 //! 3.2.3: damping by viscosity.
 
-use super::homogeneous::cube;
+use super::homogeneous::body;
 use crate::{
     Bench, Case, CaseError, Finding, Group, Outcome, measure,
     plotting::{chart, line},
 };
 use std::{f64::consts::PI, ops::ControlFlow};
-use ypsilon::meshing::Scenario;
+use ypsilon::{meshing::Scenario, scene::SpatialContact};
 
 /// The case.
 pub const CASE: Case = Case {
@@ -25,6 +25,22 @@ strain.",
     evaluate,
 };
 
+/// The same with tetrahedra.
+pub const SOLID: Case = Case {
+    name: "damping-3d",
+    group: Group::Solids,
+    title: "Damping of a soft cube of tetrahedra under its weight",
+    source: "thesis, section 3.2.3, table 3.7",
+    about: "\
+A soft cube of 1 m (E = 26 kPa, ν = 0.2, ρ = 1000 kg/m³, cells of 0.2 m of six tetrahedra) on a held
+base is left to its own weight. A mode of angular frequency ω has ξ = η ω/(2 E) as a bar has; the
+kinetic energy swings at twice the mode: its maxima are π/ω_d apart, and decay as exp(−2 ξ ω t). The
+first axial mode of small strain is 8.07 rad/s; the strain under gravity (19 to 38 %) stiffens the cube to
+about 9 rad/s. The thesis prints twice the mode as w_n (18.68 to 19.00 rad/s) and ξ = 0.1, 0.2, 0.4 for
+η = 500, 1020, 2040 Pa s; critical at about 5000 to 5100 Pa s.",
+    evaluate,
+};
+
 /// A swing of the cube.
 struct Swing {
     /// Kinetic energy through time.
@@ -40,7 +56,8 @@ impl Swing {
         let mut found = Vec::new();
         for w in self.energy.windows(3) {
             let [[_, a], [t, b], [_, c]] = [w[0], w[1], w[2]];
-            if b >= a && b > c && b > 1e-6 * largest {
+            // other modes hide those that are smaller
+            if b >= a && b > c && b > 1e-4 * largest {
                 // the top of the parabola through three points
                 let shift = 0.5 * (a - c) / (a - 2.0 * b + c);
                 let step = w[1][0] - w[0][0];
@@ -74,13 +91,15 @@ impl Swing {
 }
 
 fn swing(bench: &Bench, scenario: &mut Scenario, viscosity: f64) -> Result<Swing, CaseError> {
-    cube(scenario)?.material.viscosity_pa_s = Some(viscosity);
+    body(scenario)?.material.viscosity_pa_s = Some(viscosity);
     let (mut energy, mut sag) = (Vec::new(), Vec::new());
-    let done = bench.watch(scenario, &format!("eta{viscosity}"), |simulation| {
+    let law = SpatialContact::default();
+    let done = bench.watch_any(scenario, &format!("eta{viscosity}"), law, |simulation| {
         if simulation.step_index().is_multiple_of(10) {
             let nodes = simulation.masses().len();
             energy.push([simulation.time(), measure::kinetic_energy(simulation)]);
-            sag.push([simulation.time(), measure::displacement(simulation, 0..nodes)[1]]);
+            let sunk = measure::displacement(simulation, 0..nodes)[simulation.up()];
+            sag.push([simulation.time(), sunk]);
         }
         ControlFlow::Continue(())
     })?;
@@ -92,7 +111,7 @@ fn swing(bench: &Bench, scenario: &mut Scenario, viscosity: f64) -> Result<Swing
 
 fn evaluate(bench: &Bench) -> Result<Outcome, CaseError> {
     let mut scenario = bench.scenario("scenario.toml")?;
-    let young = cube(&mut scenario)?.material.young_pa;
+    let young = body(&mut scenario)?.material.young_pa;
     let mut findings = Vec::new();
     let mut lines = Vec::new();
     let mut slopes = Vec::new();

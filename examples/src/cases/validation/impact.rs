@@ -2,7 +2,7 @@
 
 use crate::{Bench, CaseError, measure, plotting::line};
 use std::ops::ControlFlow;
-use ypsilon::meshing::Scenario;
+use ypsilon::{meshing::Scenario, scene::SpatialContact};
 use ypsilon_post::plot::Curve;
 
 /// What an impact does.
@@ -29,18 +29,21 @@ pub(super) fn collide(
     ratio: f64,
 ) -> Result<Impact, CaseError> {
     let mut scenario = scenario.clone();
-    let blocks = scenario.two_blocks.as_mut();
-    let blocks = blocks.ok_or_else(|| CaseError::missing("the scenario has no [two_blocks]"))?;
-    blocks.mass_ratio = ratio;
+    match (&mut scenario.two_blocks, &mut scenario.two_cubes_3d) {
+        (Some(blocks), _) => blocks.mass_ratio = ratio,
+        (_, Some(cubes)) => cubes.mass_ratio = ratio,
+        _ => return Err(CaseError::missing("the scenario has no blocks")),
+    }
     let mut curves = [1, 2].map(|k| line(&format!("block {k}, m₂/m₁ = {ratio}"), Vec::new()));
     let mut momenta = [f64::NAN; 2];
     let mut rigid = [f64::NAN; 2];
     let mut last = [f64::NAN; 2];
-    let done = bench.watch(&scenario, name, |simulation| {
+    let law = SpatialContact::default();
+    let done = bench.watch_any(&scenario, name, law, |simulation| {
         let nodes = simulation.masses().len();
         let halves = [0..nodes / 2, nodes / 2..nodes];
         if !simulation.step_index().is_multiple_of(200)
-            && simulation.step_index() < simulation.scene().control.end_step
+            && simulation.step_index() < simulation.end_step()
         {
             return ControlFlow::Continue(());
         }
@@ -60,6 +63,6 @@ pub(super) fn collide(
         return Err(CaseError::missing(format!("{name} has become unstable")));
     }
     let (kinetic, strain) =
-        (measure::kinetic_energy(&done.simulation), measure::strain_energy(&done.simulation));
+        (measure::kinetic_energy(&*done.simulation), measure::strain_energy(&*done.simulation));
     Ok(Impact { velocities: last, momenta, rigid, kinetic, strain, curves })
 }

@@ -1,4 +1,4 @@
-//! Chapter 3 of the thesis but for its wall, in plane form.
+//! Chapter 3 of the thesis but for its wall, in plane form and in space.
 
 mod damping;
 mod elastic_impact;
@@ -14,6 +14,19 @@ mod two_bars;
 mod uniaxial;
 
 use crate::Case;
+
+/// Cases of this group that are evaluated with tetrahedra as well.
+pub(super) const SOLIDS: [&Case; 9] = [
+    &simple_shear::SOLID,
+    &uniaxial::SOLID,
+    &pressure::SOLID,
+    &rotation::SOLID,
+    &two_bars::SOLID,
+    &sliding_block::SOLID,
+    &inelastic_impact::SOLID,
+    &elastic_impact::SOLID,
+    &damping::SOLID,
+];
 
 /// The cases of this group.
 pub const CASES: &[&Case] = &[
