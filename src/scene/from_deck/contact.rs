@@ -129,9 +129,7 @@ pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D
     match contact.pairs {
         PairRule::SmallerOfEach => {
             check_penalties(reader, scene);
-            if D == 2 {
-                check_tangential_penalties(reader, scene);
-            } else if contact.spatial.has_friction {
+            if D == 2 || contact.spatial.has_friction {
                 check_tangential_penalties(reader, scene);
             } else {
                 check_friction(reader, scene);

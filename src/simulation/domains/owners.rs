@@ -20,7 +20,8 @@ impl Owners {
     pub fn new(scene: &Scene, plan: &Plan, count: usize) -> Self {
         let nodes = scene.nodes.len();
         if count < 2 {
-            return Self { owner: vec![0; nodes], runs: Some(vec![0..nodes as u32]) };
+            let all = 0..nodes as u32;
+            return Self { owner: vec![0; nodes], runs: Some(Vec::from([all])) };
         }
         let work = work(nodes, plan);
         let in_runs = divide(&(0..nodes as u32).collect::<Vec<_>>(), &work, count, LINE);
