@@ -134,32 +134,26 @@ fn read(text: &str) -> LoadedDeck {
 fn masonry_in_space_with_joints_gets_them_inside_bricks_and_between_them() {
     let wall =
         Wall3d { bonded: true, cells: [4, 1, 1], bricks: 3, courses: 4, ..Wall3d::default() };
-    let scenarios = [
-        Scenario { wall_3d: Some(wall), ..Scenario::default() },
-        Scenario::of_kind("bridge_3d").expect("a bridge"),
-    ];
-    for scenario in scenarios {
-        let generated = scenario.generate_in_space().expect("masonry");
-        let deck = read(&generated.deck.to_text());
-        assert!(deck.findings.is_empty(), "{:?}", deck.findings);
-        let simulation =
-            deck.simulation.and_then(AnySimulation::into_spatial).expect("a simulation");
-        let mut laws = [0; 2];
-        for joint in face_joint_views(&simulation) {
-            laws[joint.law] += 1;
-        }
-        let (model, mut expected) = (&generated.model, [0; 2]);
-        for sides in model.mesh.faces().values() {
-            if let [a, b] = sides[..] {
-                let [a, b] = [a, b].map(|side| model.mesh.tetrahedra[side]);
-                let strong = |t: usize| model.substances[t].bond == Bond::Strong;
-                let mortar = a.block != b.block && !strong(a.material) && !strong(b.material);
-                expected[usize::from(mortar)] += 1;
-            }
-        }
-        assert_eq!(laws, expected, "joints inside and of mortar: {}", model.title);
-        assert!(expected[1] > 100);
+    let scenario = Scenario { wall_3d: Some(wall), ..Scenario::default() };
+    let generated = scenario.generate_in_space().expect("masonry");
+    let deck = read(&generated.deck.to_text());
+    assert!(deck.findings.is_empty(), "{:?}", deck.findings);
+    let simulation = deck.simulation.and_then(AnySimulation::into_spatial).expect("a simulation");
+    let mut laws = [0; 2];
+    for joint in face_joint_views(&simulation) {
+        laws[joint.law] += 1;
     }
+    let (model, mut expected) = (&generated.model, [0; 2]);
+    for sides in model.mesh.faces().values() {
+        if let [a, b] = sides[..] {
+            let [a, b] = [a, b].map(|side| model.mesh.tetrahedra[side]);
+            let strong = |t: usize| model.substances[t].bond == Bond::Strong;
+            let mortar = a.block != b.block && !strong(a.material) && !strong(b.material);
+            expected[usize::from(mortar)] += 1;
+        }
+    }
+    assert_eq!(laws, expected, "joints inside and of mortar: {}", model.title);
+    assert!(expected[1] > 100);
 }
 
 #[test]

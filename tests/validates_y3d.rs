@@ -192,6 +192,7 @@ fn deck_06_two_tetrahedra_press_on_each_other() {
 
 /// Thesis 3.6: d = v²/(2μg), t = v/(μg).
 #[test]
+#[ignore = "takes a minute or so: cargo test --test validates_y3d -- --ignored"]
 fn deck_07_a_sliding_cube_stops() {
     let mut simulation = simulation("07_slide_friction");
     let moving: Vec<usize> = {
@@ -217,11 +218,13 @@ fn deck_07_a_sliding_cube_stops() {
 }
 
 #[test]
+#[ignore = "takes a minute or so: cargo test --test validates_y3d -- --ignored"]
 fn deck_08_two_elastic_bars_share_the_load() {
     bars_share_the_load("08_two_bars_elastic");
 }
 
 #[test]
+#[ignore = "takes a minute or so: cargo test --test validates_y3d -- --ignored"]
 fn deck_08_a_rigid_bar_stops_an_elastic_one() {
     bars_share_the_load("08_two_bars_rigid");
 }
@@ -249,6 +252,7 @@ fn bars_share_the_load(name: &str) {
 
 /// Momentum is kept in all; hard cubes also keep their energy and part as points would.
 #[test]
+#[ignore = "takes a minute or so: cargo test --test validates_y3d -- --ignored"]
 fn deck_09_cubes_collide() {
     for name in ["09_impact_el_equal", "09_impact_el_double"] {
         let mut simulation = simulation(name);
@@ -270,6 +274,7 @@ fn deck_09_cubes_collide() {
 }
 
 #[test]
+#[ignore = "takes a minute or so: cargo test --test validates_y3d -- --ignored"]
 fn deck_09_soft_cubes_keep_their_momentum_and_lose_translation() {
     for name in ["09_impact_inel_equal", "09_impact_inel_double"] {
         let mut simulation = simulation(name);
