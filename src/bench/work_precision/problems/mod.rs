@@ -4,7 +4,6 @@ mod bar_wave;
 mod bar_wave_3d;
 mod column;
 mod impact;
-mod impact_3d;
 mod patch;
 mod sliding_block;
 mod two_bars;
@@ -12,7 +11,7 @@ mod two_bars;
 use super::problem::Problem;
 
 /// All problems.
-pub const PROBLEMS: [&dyn Problem; 8] = [
+pub const PROBLEMS: [&dyn Problem; 7] = [
     &bar_wave::BarWave,
     &patch::Patch,
     &sliding_block::SlidingBlock,
@@ -20,5 +19,4 @@ pub const PROBLEMS: [&dyn Problem; 8] = [
     &two_bars::TwoBarsContact,
     &column::SelfWeight,
     &bar_wave_3d::BarWave3d,
-    &impact_3d::Impact3d,
 ];
