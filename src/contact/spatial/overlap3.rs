@@ -78,7 +78,7 @@ pub(super) fn overlap_in<L: Lanes>(
     }
 }
 
-/// Calls `exert` with the forces of a couple, as [`overlap_in`] does with its lanes.
+/// Calls `exert` with the forces of a couple, as `overlap_in` does with its lanes.
 pub fn overlap(
     target: &Tetrahedron,
     contactor: &Contactor,
