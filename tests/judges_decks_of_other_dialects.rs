@@ -6,22 +6,12 @@
 mod support;
 
 use insta::assert_snapshot;
-use std::fmt::Write;
-use support::spoilt_deck::{Edits, base_of, edit, verdict};
+use support::spoilt_deck::{Edits, all_say, base_of, edit, verdict};
 use yformat::diagnostic::Severity;
 
 /// What is said about each deck. All must have exactly one finding of that severity, with a place.
 fn one_each(dialect: &str, severity: Severity, cases: &[(&str, Edits<'_>)]) -> String {
-    let (mut said, mut wrong) = (String::new(), String::new());
-    for (case, edits) in cases {
-        let found = verdict(edit(base_of(dialect), edits).as_bytes());
-        let as_wanted = found.severities == [severity] && found.placed == [true];
-        let runs_as_wanted = found.runs == (severity != Severity::Error);
-        let list = if as_wanted && runs_as_wanted { &mut said } else { &mut wrong };
-        let _ = writeln!(list, "== {case}\n{}", found.text);
-    }
-    assert_eq!(wrong, "", "not one finding with a place:\n{wrong}");
-    said
+    all_say(severity, &base_of(dialect), cases)
 }
 
 #[test]

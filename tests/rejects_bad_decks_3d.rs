@@ -5,23 +5,8 @@
 mod support;
 
 use insta::assert_snapshot;
-use std::fmt::Write;
-use support::spoilt_deck::{Edits, base_of, edit, verdict};
+use support::spoilt_deck::{all_say, base_of, verdict};
 use yformat::diagnostic::Severity;
-
-fn all_say(severity: Severity, cases: &[(&str, Edits<'_>)]) -> String {
-    let (mut said, mut wrong) = (String::new(), String::new());
-    for (mistake, edits) in cases {
-        let found = verdict(edit(base_of("3d"), edits).as_bytes());
-        let as_wanted = found.severities == [severity]
-            && found.placed == [true]
-            && found.runs == (severity != Severity::Error);
-        let list = if as_wanted { &mut said } else { &mut wrong };
-        let _ = writeln!(list, "== {mistake}\n{}", found.text);
-    }
-    assert_eq!(wrong, "", "not one finding with a place:\n{wrong}");
-    said
-}
 
 #[test]
 fn the_base_deck_is_sound() {
@@ -34,6 +19,7 @@ fn the_base_deck_is_sound() {
 fn shapes_and_types_that_cannot_be() {
     let said = all_say(
         Severity::Error,
+        &base_of("3d"),
         &[
             ("inverted tetrahedron", &[("5 6 7 8\n", "5 7 6 8\n")]),
             (
@@ -79,6 +65,7 @@ fn shapes_and_types_that_cannot_be() {
 fn joints_and_loads_that_cannot_be() {
     let said = all_say(
         Severity::Error,
+        &base_of("3d"),
         &[
             ("no row inside a material", &[("0 1 0\n1 1 0\n", "0 1 0\n0 1 0\n")]),
             ("no row between materials", &[("0 1 0\n1 1 0\n", "1 1 0\n1 1 0\n")]),
@@ -104,6 +91,7 @@ fn joints_and_loads_that_cannot_be() {
 fn doubtful_values_are_warned_of() {
     let said = all_say(
         Severity::Warning,
+        &base_of("3d"),
         &[
             (
                 "axes without table",

@@ -4,27 +4,13 @@
 mod support;
 
 use insta::assert_snapshot;
-use std::{fmt::Write, fs, path::Path};
-use support::spoilt_deck::{Edits, edit, verdict};
+use std::{fs, path::Path};
+use support::spoilt_deck::all_say;
 use yformat::diagnostic::Severity;
 
 fn deck(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/y3d");
     fs::read_to_string(folder.join(name)).expect("a committed deck")
-}
-
-fn all_say(severity: Severity, deck: &str, cases: &[(&str, Edits<'_>)]) -> String {
-    let (mut said, mut wrong) = (String::new(), String::new());
-    for (mistake, edits) in cases {
-        let found = verdict(edit(deck.to_owned(), edits).as_bytes());
-        let as_wanted = found.severities == [severity]
-            && found.placed == [true]
-            && found.runs == (severity != Severity::Error);
-        let list = if as_wanted { &mut said } else { &mut wrong };
-        let _ = writeln!(list, "== {mistake}\n{}", found.text);
-    }
-    assert_eq!(wrong, "", "not one finding with a place:\n{wrong}");
-    said
 }
 
 #[test]

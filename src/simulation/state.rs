@@ -47,10 +47,6 @@ pub struct StateFault(pub(super) &'static str);
 impl StateFault {
     /// A state of triangles for tetrahedra, or the other way round.
     pub const OTHER_DIMENSION: Self = Self("it has another number of dimensions");
-
-    pub(in crate::simulation) fn new(fault: &'static str) -> Self {
-        Self(fault)
-    }
 }
 
 impl SimulationState {

@@ -6,7 +6,7 @@ use crate::scene::{CohesiveModel, ContactSum, JointKind, Scene};
 /// Larger numbers of property sets than any deck has.
 const MOST_SETS: u32 = 1_000_000_000;
 /// Latest step.
-const LAST_STEP: u64 = i64::MAX as u64;
+pub(super) const LAST_STEP: u64 = i64::MAX as u64;
 
 pub(super) fn check(state: &SimulationState, scene: &Scene) -> Result<(), StateFault> {
     check_nodes(state)?;
@@ -31,7 +31,8 @@ pub(super) fn check(state: &SimulationState, scene: &Scene) -> Result<(), StateF
     require(state.step <= LAST_STEP, "its step is beyond all steps")
 }
 
-fn require(condition: bool, fault: &'static str) -> Result<(), StateFault> {
+/// A fault unless the condition holds.
+pub(super) fn require(condition: bool, fault: &'static str) -> Result<(), StateFault> {
     if condition { Ok(()) } else { Err(StateFault(fault)) }
 }
 

@@ -1,6 +1,7 @@
 //! Decks that differ from a sound one by a mistake, and what is said about them.
 
 use std::{
+    fmt::Write,
     fs,
     path::{Path, PathBuf},
 };
@@ -51,6 +52,22 @@ pub fn edit(mut deck: String, edits: Edits<'_>) -> String {
         deck = deck.replacen(old, new, 1);
     }
     deck
+}
+
+/// What is said about a sound deck with one mistake after the other, if that is one finding of this
+/// severity with a place each.
+pub fn all_say(severity: Severity, deck: &str, cases: &[(&str, Edits<'_>)]) -> String {
+    let (mut said, mut wrong) = (String::new(), String::new());
+    for (mistake, edits) in cases {
+        let found = verdict(edit(deck.to_owned(), edits).as_bytes());
+        let as_wanted = found.severities == [severity]
+            && found.placed == [true]
+            && found.runs == (severity != Severity::Error);
+        let list = if as_wanted { &mut said } else { &mut wrong };
+        let _ = writeln!(list, "== {mistake}\n{}", found.text);
+    }
+    assert_eq!(wrong, "", "not one finding with a place:\n{wrong}");
+    said
 }
 
 /// What is said about a deck of these bytes, which is alone in its folder.

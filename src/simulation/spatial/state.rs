@@ -6,7 +6,10 @@ use crate::{
     insertion::InsertionReport,
     mechanics::Vec3,
     scene::{Elements, JointKind, Nodes, Scene},
-    simulation::StateFault,
+    simulation::{
+        StateFault,
+        state_check::{LAST_STEP, require},
+    },
 };
 use serde::{Deserialize, Serialize};
 
@@ -29,9 +32,6 @@ pub struct SpatialState {
     first_inversion: Option<(u64, usize)>,
     contact: Option<ContactState3>,
 }
-
-/// Latest step.
-const LAST_STEP: u64 = i64::MAX as u64;
 
 impl SpatialState {
     /// Index of the step that comes next.
@@ -114,10 +114,6 @@ impl SpatialState {
     }
 }
 
-fn require(condition: bool, fault: &'static str) -> Result<(), StateFault> {
-    if condition { Ok(()) } else { Err(StateFault::new(fault)) }
-}
-
 impl SpatialSimulation {
     /// The state after the last completed step.
     #[must_use]
@@ -185,7 +181,7 @@ impl SpatialSimulation {
         if let (Some(contact), Some(state)) = (&mut self.contact, state.contact) {
             contact
                 .restore(state, &self.scene.elements, &surfaces(&self.scene))
-                .map_err(StateFault::new)?;
+                .map_err(StateFault)?;
         }
         self.make_room();
         Ok(())
