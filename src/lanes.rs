@@ -94,6 +94,9 @@ pub trait Lanes:
     /// Four numbers that lie one after the other.
     fn load(values: &[f64; LANES]) -> Self;
 
+    /// Four numbers in single precision that lie one after the other.
+    fn widen(values: &[f32; LANES]) -> Self;
+
     /// Writes the numbers one after the other.
     fn store(self, values: &mut [f64; LANES]);
 

@@ -7,6 +7,7 @@ use crate::{
     scene::{Elements, Nodes},
     team::Team,
 };
+use bytemuck::{Pod, Zeroable};
 
 /// From so many triangles on, threads are used: about 10 µs of work for one.
 const PARALLEL_FROM: usize = 512;
@@ -15,8 +16,8 @@ const PARALLEL_FROM: usize = 512;
 const NOWHERE: u32 = u32::MAX;
 
 /// Corners of a triangle in one cache line, their velocities in the next.
-#[derive(Debug, Clone, Copy, Default)]
-#[repr(align(64))]
+#[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
+#[repr(C, align(64))]
 pub(super) struct Body {
     /// x and y of corners 0, 1, 2 and 0: each edge's ends lie one after the other.
     rows: [[f64; 4]; 2],
@@ -32,14 +33,6 @@ impl Body {
             rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, p.x, p.y]],
             motion: [[u.x, u.y, v.x, v.y], [w.x, w.y, 0.0, 0.0]],
         }
-    }
-
-    /// Start and end of edge `e`, which is less than 3.
-    #[inline(always)]
-    fn edge(&self, e: usize) -> &[f64; 4] {
-        // nothing is beyond the second row
-        let start = 2 * e.min(2);
-        &self.rows.as_flattened()[start..].as_chunks().0[0]
     }
 
     /// Corner `i`.
@@ -85,10 +78,17 @@ impl<L: Lanes> Triangles<L> {
     }
 }
 
-/// Starts and ends of edges `e` of four triangles, one per lane: x, y, x, y.
-#[inline(always)]
-pub(super) fn edges_of<L: Lanes>(bodies: [&Body; LANES], e: [u8; LANES]) -> [L; 4] {
-    L::transpose(each!(4, |k| L::load(bodies[k].edge(e[k].into()))))
+/// Edges of all bodies: edge `e` of the body at `place` has the number 8 `place` + `e`.
+#[derive(Clone, Copy)]
+pub(super) struct BodyEdges<'a>(&'a [[f64; 2]]);
+
+impl BodyEdges<'_> {
+    /// Start and end of an edge: x, y, x, y.
+    #[inline(always)]
+    pub fn at(&self, edge: u32) -> &[f64; 4] {
+        let edge = edge as usize;
+        &self.0[edge..edge + 2].as_flattened().as_chunks().0[0]
+    }
 }
 
 /// Velocities of the corners of four triangles, one per lane.
@@ -102,6 +102,8 @@ pub(super) fn velocities_of<L: Lanes>(bodies: [&Body; LANES]) -> [[L; 2]; 3] {
 /// All participants of couples.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Bodies {
+    /// Their numbers among the elements.
+    pub elements: Vec<u32>,
     /// Corner nodes.
     pub corners: Vec<[u32; 3]>,
     /// Present corners.
@@ -126,6 +128,7 @@ impl Bodies {
 
     /// Forgets all participants.
     pub fn clear(&mut self, elements: usize) {
+        self.elements.clear();
         self.corners.clear();
         self.place.clear();
         self.place.resize(elements, NOWHERE);
@@ -136,9 +139,16 @@ impl Bodies {
         let place = &mut self.place[element as usize];
         if *place == NOWHERE {
             *place = self.corners.len() as u32;
+            self.elements.push(element);
             self.corners.push(elements.corners::<3>(element as usize).map(|n| n as u32));
         }
         *place
+    }
+
+    /// Edges of all bodies.
+    #[inline(always)]
+    pub fn edges(&self) -> BodyEdges<'_> {
+        BodyEdges(bytemuck::cast_slice(&self.bodies))
     }
 
     /// Takes over the present positions and velocities.

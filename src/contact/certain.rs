@@ -7,11 +7,10 @@
 //! a quotient below T(1 - 4ε) rounds to a number below T. Triangles with a coordinate that is no
 //! number have an area that is none and are never certain.
 
-use super::bodies::{Body, Triangles, edges_of};
+use super::bodies::Triangles;
 use crate::{
     TOLERANCE,
-    lanes::{LANES, Lanes, each},
-    mechanics::Vec2,
+    lanes::{Lanes, each},
 };
 
 /// The tolerance, less more than two roundings.
@@ -55,75 +54,4 @@ pub(super) fn certainly_clear<L: Lanes>(
         }
     }
     certain
-}
-
-/// An edge of the target and one of the contactor, each of which may have all of the other triangle
-/// outside. Then every edge of either triangle is outside that one edge of the other.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Separator(u8);
-
-impl Separator {
-    /// The edges with the other triangle furthest outside.
-    pub fn of(target: &[Vec2; 3], contactor: &[Vec2; 3]) -> Self {
-        Self(Self::furthest(target, contactor) << 2 | Self::furthest(contactor, target))
-    }
-
-    fn furthest(own: &[Vec2; 3], other: &[Vec2; 3]) -> u8 {
-        let mut best = (f64::INFINITY, 0);
-        for e in 0..3u8 {
-            let (start, end) = (own[usize::from(e)], own[(usize::from(e) + 1) % 3]);
-            let inside = |p: &Vec2| (end - start).perp(&(p - start));
-            let nearest = other.iter().map(inside).fold(f64::NEG_INFINITY, f64::max);
-            if nearest < best.0 {
-                best = (nearest, e);
-            }
-        }
-        best.1
-    }
-
-    /// From what [`Self::bits`] gave.
-    #[inline(always)]
-    pub fn from_bits(bits: u8) -> Self {
-        Self(bits)
-    }
-
-    pub fn bits(self) -> u8 {
-        self.0
-    }
-
-    #[inline(always)]
-    fn of_target(self) -> u8 {
-        self.0 >> 2 & 3
-    }
-
-    #[inline(always)]
-    fn of_contactor(self) -> u8 {
-        self.0 & 3
-    }
-}
-
-/// Lanes in which [`certainly_clear`] holds because of the separator. Most couples that are clear
-/// are so because of the same edges for a long time, and two edges are looked at much faster than
-/// six.
-#[inline(always)]
-pub(super) fn certainly_separated<L: Lanes>(
-    bodies: &[[&Body; 2]; LANES],
-    separators: [Separator; LANES],
-) -> L::Mask {
-    let bodies = each!(2, |t| each!(4, |k| bodies[k][t]));
-    let edges = [
-        edges_of::<L>(bodies[0], each!(4, |k| separators[k].of_target())),
-        edges_of::<L>(bodies[1], each!(4, |k| separators[k].of_contactor())),
-    ];
-    let triangles = each!(2, |t| Triangles::<L>::new(bodies[t]));
-    let zero = L::splat(0.0);
-    let [target, contactor] = each!(2, |t| {
-        let (own, other) = (&triangles[t], &triangles[1 - t]);
-        let [x0, y0, x1, y1] = edges[t];
-        let (nx, ny) = (y1 - y0, x0 - x1);
-        let [a, b, c] = each!(3, |i| (x0 - other.x[i]) * nx + (y0 - other.y[i]) * ny);
-        let limit = own.double_area * L::splat(CERTAIN);
-        zero.lt(limit) & a.larger(b).larger(c).lt(limit)
-    });
-    target & contactor
 }

@@ -7,11 +7,13 @@
 
 use super::{
     bodies::Triangles,
-    certain::{Separator, certainly_clear, certainly_separated},
-    evaluation::{Couples, Done, Step},
+    certain::certainly_clear,
+    evaluation::{Part, Step},
     exertion::{Bench, CORNERS, Exertion, Quartet},
+    facing::face_apart,
     places::{ALL, Places, quartet},
-    visits::{RespitesMut, Traits},
+    sliding::Sliding,
+    visits::Visit,
 };
 use crate::{
     lanes::{self, Kernel, LANES, Lanes, Mask, each},
@@ -27,19 +29,22 @@ const EDGE_SETS: usize = 1 << CORNERS;
 pub(super) struct Chunk {
     /// Couples to be evaluated.
     asked: Places,
-    /// Couples that did not touch in the last step.
-    separated: Places,
-    /// Those of them that the edges which separated them last do not separate now, in any order.
+    /// Couples that did not touch in the last step and whose facing edges can tell whether they do
+    /// now.
+    facing: Places,
+    /// Couples that did not touch in the last step of which facing edges do not tell that they have
+    /// no effect, in any order.
     unsure: Places,
     /// Those of them that are not certainly clear, in any order.
     close: Places,
     /// Places among the asked, those with the same edges cut in the last evaluation together.
     alike: Vec<u32>,
     /// What is known of each asked couple.
-    traits: Vec<Traits>,
+    visits: Vec<Visit>,
     /// What the asked couples exert.
     exertions: Vec<Exertion>,
-    done: Done,
+    /// Couples that came apart.
+    dropped: Vec<u32>,
 }
 
 impl Chunk {
@@ -48,23 +53,37 @@ impl Chunk {
         let places = || Places::with_room_for(couples);
         Self {
             asked: places(),
-            separated: places(),
+            facing: places(),
             unsure: places(),
             close: places(),
             alike: vec![0; couples],
-            traits: vec![Traits::default(); couples],
+            visits: vec![Visit::default(); couples],
             exertions: vec![Exertion::default(); couples],
-            done: Done::default(),
+            dropped: Vec::with_capacity(couples),
         }
     }
 
-    /// What the last evaluation did.
-    pub fn done(&self) -> Done {
-        self.done
+    /// How many couples were evaluated.
+    pub fn evaluated(&self) -> u64 {
+        self.asked.len() as u64
+    }
+
+    /// Couples that came apart, ascending.
+    pub fn dropped(&self) -> &[u32] {
+        &self.dropped
+    }
+
+    /// Keeps the sliding of the couples; the first of `visits` is the chunk's first.
+    pub fn keep_sliding(&self, visits: &mut [Visit], sliding: &mut Sliding) {
+        for (&couple, exertion) in self.asked.get().iter().zip(&self.exertions) {
+            if let Some(row) = exertion.sliding() {
+                sliding.keep(&mut visits[couple as usize].sliding, row);
+            }
+        }
     }
 
     /// Evaluates couples: finds out what they exert.
-    pub fn evaluate(&mut self, step: &Step<'_>, couples: Couples<'_>) {
+    pub fn evaluate(&mut self, step: &Step<'_>, couples: Part<'_>) {
         lanes::run(Evaluation { chunk: self, step, couples });
     }
 
@@ -80,7 +99,7 @@ impl Chunk {
 struct Evaluation<'a, 'b> {
     chunk: &'a mut Chunk,
     step: &'a Step<'b>,
-    couples: Couples<'a>,
+    couples: Part<'a>,
 }
 
 impl Kernel for Evaluation<'_, '_> {
@@ -89,7 +108,6 @@ impl Kernel for Evaluation<'_, '_> {
     #[inline(always)]
     fn run<L: Lanes>(mut self) {
         self.pass_over::<L>();
-        self.chunk.done = Done { evaluated: self.chunk.asked.len() as u64, dropped: false };
         self.put_alike_together();
         self.exert_asked::<L>();
     }
@@ -99,44 +117,55 @@ impl Evaluation<'_, '_> {
     /// Lists the couples that neither rest nor are certain to have no effect.
     #[inline(always)]
     fn pass_over<L: Lanes>(&mut self) {
-        let Chunk { asked, separated, unsure, close, .. } = &mut *self.chunk;
-        for list in [asked, separated, unsure, close] {
+        let Chunk { asked, facing, unsure, close, .. } = &mut *self.chunk;
+        for list in [asked, facing, unsure, close] {
             list.clear();
         }
         let path = L::splat(self.step.path);
         let tests = if self.step.rests { ALL } else { 0 };
-        let (blocks, others) = self.couples.participants.as_chunks::<LANES>();
-        for (block, participants) in blocks.iter().enumerate() {
+        let faces = if self.step.asks_all() { 0 } else { tests };
+        let (blocks, others) = self.couples.facing.as_chunks::<LANES>();
+        let (rest, _) = self.couples.respites.rest.as_chunks::<LANES>();
+        let (stay, _) = self.couples.respites.stay.as_chunks::<LANES>();
+        let (face, _) = self.couples.respites.face.as_chunks::<LANES>();
+        let (limit, _) = self.couples.respites.limit.as_chunks::<LANES>();
+        let (edges, _) = self.couples.respites.edges.as_chunks::<LANES>();
+        let paths = rest.iter().zip(stay).zip(face.iter().zip(limit)).zip(edges);
+        for ((block, couples), (((rest, stay), (face, limit)), edges)) in
+            blocks.iter().enumerate().zip(paths)
+        {
             let first = block * LANES;
-            let respites = &self.couples.respites;
-            let awake = (!path.lt(lanes_at(respites.rest, first))).bits();
+            let awake = (!path.lt(L::widen(rest))).bits();
             if awake == 0 {
                 continue;
             }
-            let stays = path.lt(lanes_at::<L>(respites.stay, first)).bits();
             // what touched a step ago most likely does so now
-            let edges = respites.edges[first..].as_chunks::<LANES>().0[0];
-            let mut touched = 0;
-            if edges != [0; LANES] {
-                each!(4, |k| touched |= u32::from(edges[k] != 0) << k);
+            let mut apart = awake & tests;
+            if *edges != [0; LANES] {
+                each!(4, |k| apart &= !(u32::from(edges[k] != 0) << k));
             }
-            let tested = awake & stays & !touched & tests;
-            self.chunk.asked.push_lanes(first, awake & !tested);
-            if tested == ALL {
-                self.try_separators::<L>(each!(4, |k| first + k), participants, ALL);
-            } else {
-                self.chunk.separated.push_lanes(first, tested);
+            let facing = apart & faces & path.lt(L::widen(face)).bits();
+            if facing == ALL {
+                let apart = face_apart(self.step.bodies, couples, L::widen(limit));
+                self.chunk.unsure.push_lanes(first, ALL & !apart);
+                continue;
             }
+            let unsure = apart & !facing & path.lt(L::widen(stay)).bits();
+            self.chunk.facing.push_lanes(first, facing);
+            self.chunk.unsure.push_lanes(first, unsure);
+            self.chunk.asked.push_lanes(first, awake & !(facing | unsure));
         }
         for index in blocks.len() * LANES..blocks.len() * LANES + others.len() {
-            if self.step.path >= self.couples.respites.rest[index] {
+            if self.step.path >= f64::from(self.couples.respites.rest[index]) {
                 self.chunk.asked.push_lanes(index, 1);
             }
         }
-        for at in (0..self.chunk.separated.len()).step_by(LANES) {
-            let (of_lane, count) = quartet(&self.chunk.separated.get()[at..]);
-            let participants = each!(4, |k| self.couples.participants[of_lane[k]]);
-            self.try_separators::<L>(of_lane, &participants, (1 << count) - 1);
+        for at in (0..self.chunk.facing.len()).step_by(LANES) {
+            let (of_lane, count) = quartet(&self.chunk.facing.get()[at..]);
+            let couples = each!(4, |k| self.couples.facing[of_lane[k]]);
+            let limit = L::widen(&each!(4, |k| self.couples.respites.limit[of_lane[k]]));
+            let apart = face_apart(self.step.bodies, &couples, limit);
+            self.chunk.unsure.push_those(of_lane, !apart & ((1 << count) - 1));
         }
         for at in (0..self.chunk.unsure.len()).step_by(LANES) {
             let (of_lane, count) = quartet(&self.chunk.unsure.get()[at..]);
@@ -149,40 +178,20 @@ impl Evaluation<'_, '_> {
         }
     }
 
-    /// Lists those of the `valid` couples that their separators do not separate, and those that
-    /// may be asked whether they can rest.
-    #[inline(always)]
-    fn try_separators<L: Lanes>(
-        &mut self,
-        of_lane: [usize; LANES],
-        participants: &[[u32; 2]; LANES],
-        valid: u32,
-    ) {
-        let Self { chunk, step, couples } = self;
-        let RespitesMut { separators, ask, .. } = &couples.respites;
-        let bodies = each!(4, |k| step.bodies_of(participants[k]));
-        let separators = each!(4, |k| Separator::from_bits(separators[of_lane[k]]));
-        let separated = certainly_separated::<L>(&bodies, separators);
-        let due = L::new(each!(4, |k| ask[of_lane[k]])).le(L::splat(step.evaluation));
-        chunk.unsure.push_those(of_lane, (!separated | due).bits() & valid);
-    }
-
-    /// Lists those of the `valid` couples that are not certain to have no effect; lets the others
-    /// rest.
+    /// Lists those of the `valid` couples that are not certain to have no effect; finds out of the
+    /// others how long they can be left alone.
     #[inline(always)]
     fn try_all_edges<L: Lanes>(&mut self, of_lane: [usize; LANES], valid: u32) {
         let Self { chunk, step, couples } = self;
-        let participants = each!(4, |k| couples.participants[of_lane[k]]);
-        let bodies = each!(4, |k| step.bodies_of(participants[k]));
+        let bodies = each!(4, |k| step.bodies_of(couples.facing[of_lane[k]]));
         let target = Triangles::<L>::new(each!(4, |k| bodies[k][0]));
         let contactor = Triangles::new(each!(4, |k| bodies[k][1]));
         let clear = certainly_clear(&target, &contactor).bits() & valid;
-        let asks = L::new(each!(4, |k| couples.respites.ask[of_lane[k]]));
-        let mut due = asks.le(L::splat(step.evaluation)).bits() & clear;
-        while due != 0 {
-            let lane = due.trailing_zeros() as usize % LANES;
-            due &= due - 1;
-            step.ask(participants[lane], &mut couples.respites, of_lane[lane]);
+        for lane in 0..LANES {
+            if clear >> lane & 1 != 0 {
+                let index = of_lane[lane];
+                step.ask_later(&mut couples.facing[index], &mut couples.respites, index);
+            }
         }
         chunk.close.push_those(of_lane, valid & !clear);
     }
@@ -192,7 +201,7 @@ impl Evaluation<'_, '_> {
     #[inline(always)]
     fn put_alike_together(&mut self) {
         let Self { chunk, couples, .. } = self;
-        let Chunk { asked, alike, traits, .. } = &mut **chunk;
+        let Chunk { asked, alike, visits, .. } = &mut **chunk;
         let asked = asked.get();
         let edges = &*couples.respites.edges;
         let mut places = [0u32; EDGE_SETS];
@@ -204,52 +213,47 @@ impl Evaluation<'_, '_> {
         for place in &mut places {
             (*place, sum) = (sum, sum + *place);
         }
-        for ((at, &couple), traits) in asked.iter().enumerate().zip(traits) {
+        for ((at, &couple), visit) in asked.iter().enumerate().zip(visits) {
             // read here, one after the other, which brings the couples into the cache
-            *traits = couples.visits[couple as usize].traits;
+            *visit = couples.visits[couple as usize];
             let place = &mut places[set(couple)];
             alike[*place as usize] = at as u32;
             *place += 1;
         }
     }
 
-    /// Evaluates the listed couples; drops those that came apart.
+    /// Evaluates the listed couples; lists those that came apart.
     #[inline(always)]
     fn exert_asked<L: Lanes>(&mut self) {
         let Self { chunk, step, couples } = self;
-        let Chunk { asked, alike, traits, exertions, done, .. } = &mut **chunk;
+        let Chunk { asked, alike, visits, exertions, dropped, .. } = &mut **chunk;
+        dropped.clear();
         let asked = asked.get();
         let mut bench = Bench::<L>::new();
         for places in alike[..asked.len()].chunks(LANES) {
             let (place, count) = quartet(places);
             let of_lane = each!(4, |k| asked[place[k]] as usize);
+            let visits = each!(4, |k| visits[place[k]]);
             let four = Quartet {
-                couples: of_lane,
-                participants: each!(4, |k| couples.participants[of_lane[k]]),
-                traits: each!(4, |k| traits[place[k]]),
+                couples: each!(4, |k| couples.facing[of_lane[k]]),
+                traits: each!(4, |k| visits[k].traits),
+                sliding: each!(4, |k| couples.sliding.of(visits[k].sliding)),
                 count,
             };
-            let edges = four.exert(step, couples.visits, &mut bench, place, exertions);
+            let edges = four.exert(step, &mut bench, place, exertions);
             for lane in 0..count {
                 let couple = of_lane[lane];
                 couples.respites.edges[couple] = edges[lane];
                 if edges[lane] != 0 {
                     continue;
                 }
-                let participants = four.participants[lane];
-                if step.is_beyond(participants) {
-                    couples.visits[couple].is_dropped = true;
-                    done.dropped = true;
+                if step.is_beyond(four.couples[lane]) {
+                    dropped.push(couple as u32);
                 } else if step.rests && couples.respites.ask[couple] <= step.evaluation {
-                    step.ask(participants, &mut couples.respites, couple);
+                    step.ask(&mut couples.facing[couple], &mut couples.respites, couple);
                 }
             }
         }
+        dropped.sort_unstable();
     }
-}
-
-/// Four numbers from one on.
-#[inline(always)]
-fn lanes_at<L: Lanes>(values: &[f64], first: usize) -> L {
-    L::load(&values[first..].as_chunks().0[0])
 }

@@ -15,10 +15,14 @@
 //! *identically*, rounding included: the two products of its numerator are
 //! equal and opposite. Such numerators stay zero whatever moves.
 
-use crate::mechanics::Vec2;
+use super::facing::STRICT;
+use crate::{TOLERANCE, mechanics::Vec2};
 
 /// Share of the bound that is used, for the rounding of the accumulated travel.
 const SAFETY: f64 = 0.99;
+/// What rounding can undo, by D³/2A times the length of an edge: see [`super::facing`]. 28 units of
+/// roundoff, twice, for what moves.
+const ROUNDING: f64 = 32.0 * f64::EPSILON;
 /// Numerators below this share of D² are not trusted to have a sign.
 const NOISE: f64 = 1e-9;
 
@@ -38,18 +42,26 @@ pub struct Clearance {
 /// and contactor. `buffer` is the detection buffer.
 #[must_use]
 pub fn clearance(nodes: [&[u32; 3]; 2], corners: &[[Vec2; 3]; 2], buffer: f64) -> Clearance {
-    let couple = Couple::new(nodes, corners);
-    let noise = NOISE * couple.extent * couple.extent;
-    let mut slack = couple.areas[0].min(couple.areas[1]);
-    for t in 0..2 {
-        for edge in 0..3 {
-            slack = slack.min(couple.edge_slack(t, edge));
-        }
-    }
-    let holds = SAFETY * (slack - noise) / (5.0 * couple.extent);
-    let stays = couple.keeping_distance(buffer);
-    let stay = positive(stays.min(couple.extent / 4.0));
-    Clearance { rest: positive(holds.min(stay)), stay }
+    Couple::new(nodes, corners).clearance(buffer)
+}
+
+/// Edges of target and contactor that face each other.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Faces {
+    /// An edge of the target and one of the contactor.
+    pub edges: [u8; 2],
+    /// How far they may reach into each other, twice an area, m².
+    pub limit: f64,
+    /// Displacement of any node up to which the corner of each triangle that is not on its edge
+    /// stays outside the other's edge, and up to which [`super::facing::face_apart`] tells the
+    /// truth, m.
+    pub reach: f64,
+}
+
+/// The edges of a couple that face each other: of those which show that it has no effect the ones
+/// whose triangles' third corners may move furthest. `None` if there are none.
+pub(super) fn faces(nodes: [&[u32; 3]; 2], corners: &[[Vec2; 3]; 2]) -> Option<Faces> {
+    Couple::new(nodes, corners).faces()
 }
 
 /// The number if it is positive, else 0.
@@ -132,6 +144,55 @@ impl<'a> Couple<'a> {
         }
     }
 
+    fn clearance(&self, buffer: f64) -> Clearance {
+        let mut slack = self.areas[0].min(self.areas[1]);
+        for t in 0..2 {
+            for edge in 0..3 {
+                slack = slack.min(self.edge_slack(t, edge));
+            }
+        }
+        let holds = self.displacement(slack);
+        let stays = self.keeping_distance(buffer);
+        let stay = positive(stays.min(self.extent / 4.0));
+        Clearance { rest: positive(holds.min(stay)), stay }
+    }
+
+    /// Displacement up to which a twice-area with this slack keeps its sign, m.
+    fn displacement(&self, slack: f64) -> f64 {
+        let noise = NOISE * self.extent * self.extent;
+        SAFETY * (slack - noise) / (5.0 * self.extent)
+    }
+
+    fn faces(&self) -> Option<Faces> {
+        let area = self.areas[0].min(self.areas[1]);
+        // areas, lengths and the extent change by a twentieth at most
+        let limit = 0.9 * TOLERANCE * area;
+        let strict = STRICT * limit;
+        let rounding = ROUNDING * self.extent.powi(3) / area;
+        let is_faithful = |squared: f64| rounding * squared.sqrt() < strict;
+        // a common node lies on the edge, not outside
+        let slack = |t: usize, corner: usize, edge: usize| match self.sides[t][corner][edge] {
+            Side::On => 0.0,
+            Side::Off(numerator) => -numerator,
+        };
+        let mut best: Option<Faces> = None;
+        for e in (0..3).filter(|&e| is_faithful(self.edges[0][e])) {
+            for f in (0..3).filter(|&f| is_faithful(self.edges[1][f])) {
+                let of_target = slack(1, f, e).min(slack(1, (f + 1) % 3, e));
+                let of_contactor = slack(0, e, f).min(slack(0, (e + 1) % 3, f));
+                let tells =
+                    of_target.max(of_contactor) > strict || of_target.min(of_contactor) > -limit;
+                let thirds = slack(0, (e + 2) % 3, f).min(slack(1, (f + 2) % 3, e));
+                let shorter = self.edges[0][e].min(self.edges[1][f]).sqrt();
+                let reach = self.displacement(thirds.min(area / 20.0)).min(shorter / 40.0);
+                if tells && reach > best.map_or(0.0, |best| best.reach) {
+                    best = Some(Faces { edges: [e as u8, f as u8], limit, reach });
+                }
+            }
+        }
+        best
+    }
+
     /// Slack of the safest reason why an edge lies clear: the other triangle
     /// wholly on one side of it, or both its ends outside one edge of the other.
     fn edge_slack(&self, t: usize, edge: usize) -> f64 {
@@ -172,7 +233,13 @@ impl<'a> Couple<'a> {
 mod tests {
     use super::*;
     use crate::{
-        contact::{Couple, Motion, Proximity, Shape, SideForces, overlap},
+        contact::{
+            Couple, Motion, Proximity, Shape, SideForces,
+            bodies::Bodies,
+            facing::{Facing, face_apart},
+            overlap,
+        },
+        lanes::{self, Kernel, LANES, Lanes},
         scene::PairProperties,
     };
     use proptest::prelude::*;
@@ -233,6 +300,21 @@ mod tests {
         (proximity, sliding, sides)
     }
 
+    /// Whether these edges of two triangles show that the couple has no effect.
+    struct Apart<'a>(&'a [[Vec2; 3]; 2], Faces);
+
+    impl Kernel for Apart<'_> {
+        type Output = bool;
+
+        #[inline(always)]
+        fn run<L: Lanes>(self) -> bool {
+            let places = self.0.as_flattened();
+            let bodies = Bodies::of(vec![[0, 1, 2], [3, 4, 5]], places, &[Vec2::zeros(); 6]);
+            let couple = Facing::between([0, 1]).with_edges(self.1.edges);
+            face_apart(&bodies, &[couple; LANES], L::splat(self.1.limit)) != 0
+        }
+    }
+
     proptest! {
         #![proptest_config(ProptestConfig::with_cases(20_000))]
 
@@ -272,6 +354,17 @@ mod tests {
             let Clearance { rest: free, stay } =
                 clearance([&nodes[0], &nodes[1]], &still, buffer);
             prop_assert!(stay >= free);
+            if let Some(facing) = faces([&nodes[0], &nodes[1]], &still) {
+                prop_assert!(lanes::run(Apart(&still, facing)));
+                for share in [0.0, 1e-9, 1e-3, 0.5, 1.0] {
+                    let moved = at(&nodes, share * facing.reach);
+                    if lanes::run(Apart(&moved, facing)) {
+                        let (_, sliding, sides) = evaluated(&moved, buffer);
+                        prop_assert_eq!(sliding, [0.0; 6]);
+                        prop_assert!(!sides[0].acts && !sides[1].acts);
+                    }
+                }
+            }
             let moved = at(&nodes, stay);
             if stay > 0.0 && area(&moved[0]) > 0.0 && area(&moved[1]) > 0.0 {
                 prop_assert!(evaluated(&moved, buffer).0 != Proximity::Beyond);

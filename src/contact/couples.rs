@@ -1,5 +1,5 @@
 //! The list of couples: which pairs of elements are examined for contact, in
-//! which order, and how much each has slid.
+//! which order, and what each keeps from one list to the next.
 //!
 //! The original keeps couples in slots of a fixed store, chained per contactor
 //! with the newest first, and chains free slots likewise. Slots are never
@@ -17,28 +17,27 @@ const NONE: u32 = u32::MAX;
 struct Slot<S> {
     target: u32,
     next: u32,
-    sliding: S,
-    /// Path length up to which the couple need not be evaluated, m.
-    rest: f64,
+    kept: S,
 }
 
-/// Couples chained per contactor (the higher element number of a pair), with the
-/// sliding `S` of each.
+/// Couples chained per contactor (the higher element number of a pair), with
+/// what is kept of each: its sliding, above all.
 #[derive(Debug, Clone, Default, Serialize, Deserialize)]
-pub struct CoupleList<S = [f64; 6]> {
+pub struct CoupleList<S> {
     /// Newest couple of each contactor.
     first: Vec<u32>,
     slots: Vec<Slot<S>>,
     /// Freed slots, the one to be used next last.
     free: Vec<u32>,
-    initial_sliding: Vec<S>,
+    /// What is kept in slots that were never used.
+    initial: Vec<S>,
 }
 
 impl<S: Copy + Default> CoupleList<S> {
-    /// An empty list whose slots start with the given sliding (0 beyond).
+    /// An empty list whose slots start with what is given (the default beyond).
     #[must_use]
-    pub fn new(initial_sliding: Vec<S>) -> Self {
-        Self { initial_sliding, ..Self::default() }
+    pub fn new(initial: Vec<S>) -> Self {
+        Self { initial, ..Self::default() }
     }
 
     /// Makes room for contactors up to `elements`.
@@ -58,14 +57,14 @@ impl<S: Copy + Default> CoupleList<S> {
         self.slots.len() - self.free.len()
     }
 
-    /// Whether there are no couples.
+    /// Number of slots that are or were a couple's.
     #[must_use]
-    pub fn is_empty(&self) -> bool {
-        self.len() == 0
+    pub fn slots(&self) -> usize {
+        self.slots.len()
     }
 
     /// Slots of the couples of a contactor, newest first.
-    pub fn of(&self, contactor: u32) -> impl Iterator<Item = u32> + '_ {
+    pub fn of(&self, contactor: u32) -> impl Iterator<Item = u32> + Clone {
         let mut slot = self.first[contactor as usize];
         std::iter::from_fn(move || {
             let current = (slot != NONE).then_some(slot)?;
@@ -80,26 +79,20 @@ impl<S: Copy + Default> CoupleList<S> {
         self.slots[slot as usize].target
     }
 
-    /// Sliding accumulated in a slot.
+    /// What is kept in a slot.
     #[must_use]
-    pub fn sliding(&self, slot: u32) -> &S {
-        &self.slots[slot as usize].sliding
+    pub fn kept(&self, slot: u32) -> &S {
+        &self.slots[slot as usize].kept
     }
 
-    /// Sliding accumulated in a slot, to be updated.
-    pub fn sliding_mut(&mut self, slot: u32) -> &mut S {
-        &mut self.slots[slot as usize].sliding
+    /// What is kept in a slot, to be updated.
+    pub fn kept_mut(&mut self, slot: u32) -> &mut S {
+        &mut self.slots[slot as usize].kept
     }
 
-    /// Path length of the fastest node up to which the couple rests, m.
-    #[must_use]
-    pub fn rest(&self, slot: u32) -> f64 {
-        self.slots[slot as usize].rest
-    }
-
-    /// Lets the couple rest until the fastest node has covered that path.
-    pub fn set_rest(&mut self, slot: u32, path: f64) {
-        self.slots[slot as usize].rest = path;
+    /// What is kept in all slots, used or free, and what will be in those to come.
+    pub fn all_kept(&mut self) -> impl Iterator<Item = &mut S> {
+        self.slots.iter_mut().map(|slot| &mut slot.kept).chain(&mut self.initial)
     }
 
     /// Whether the list is one of so many elements: every slot is in one chain or free.
@@ -137,13 +130,6 @@ impl<S: Copy + Default> CoupleList<S> {
         Ok(())
     }
 
-    /// Wakes all couples.
-    pub fn wake_all(&mut self) {
-        for slot in &mut self.slots {
-            slot.rest = 0.0;
-        }
-    }
-
     /// Whether the pair is a couple already.
     #[must_use]
     pub fn find(&self, contactor: u32, target: u32) -> Option<u32> {
@@ -155,12 +141,12 @@ impl<S: Copy + Default> CoupleList<S> {
         let next = self.first[contactor as usize];
         let slot = if let Some(slot) = self.free.pop() {
             let reused = &mut self.slots[slot as usize];
-            (reused.target, reused.next, reused.rest) = (target, next, 0.0);
+            (reused.target, reused.next) = (target, next);
             slot
         } else {
             let slot = self.slots.len();
-            let sliding = self.initial_sliding.get(slot).copied().unwrap_or_default();
-            self.slots.push(Slot { target, next, sliding, rest: 0.0 });
+            let kept = self.initial.get(slot).copied().unwrap_or_default();
+            self.slots.push(Slot { target, next, kept });
             slot as u32
         };
         self.first[contactor as usize] = slot;
@@ -181,7 +167,6 @@ impl<S: Copy + Default> CoupleList<S> {
             debug_assert_ne!(before, NONE, "couple is not in its contactor's chain");
             self.slots[before as usize].next = next;
         }
-        self.slots[slot as usize].rest = 0.0;
         self.free.push(slot);
     }
 }
@@ -192,20 +177,20 @@ mod tests {
 
     #[test]
     fn newest_couple_comes_first_and_freed_slots_are_reused_with_their_sliding() {
-        let mut couples = CoupleList::<[f64; 6]>::new(vec![]);
+        let mut couples = CoupleList::<f64>::new(vec![]);
         couples.resize(4);
         let a = couples.insert(3, 0);
         let b = couples.insert(3, 1);
         let c = couples.insert(3, 2);
         assert_eq!(couples.of(3).collect::<Vec<_>>(), [c, b, a]);
-        couples.sliding_mut(b)[0] = 7.0;
+        *couples.kept_mut(b) = 7.0;
         couples.remove(3, b);
         couples.remove(3, c);
         assert_eq!(couples.of(3).collect::<Vec<_>>(), [a]);
         assert_eq!(couples.insert(2, 0), c);
         let reused = couples.insert(2, 1);
         assert_eq!(reused, b);
-        assert_eq!(couples.sliding(reused)[0], 7.0);
+        assert_eq!(*couples.kept(reused), 7.0);
         assert_eq!((couples.len(), couples.find(2, 0)), (3, Some(c)));
     }
 }

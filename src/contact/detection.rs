@@ -5,6 +5,7 @@ use super::{
     bonds::Bonds,
     couples::CoupleList,
     sweep::{Ball, Sweep, couple_or_part, distance_squared},
+    visits::Kept,
 };
 use crate::{
     mechanics::Vec2,
@@ -13,7 +14,7 @@ use crate::{
 
 /// What detection looks at.
 #[derive(Debug, Clone, Copy)]
-pub struct Participants<'a> {
+pub(super) struct Participants<'a> {
     /// Nodes with their current coordinates.
     pub nodes: &'a Nodes<2>,
     /// Materials, which say what kind an element is.
@@ -28,7 +29,7 @@ pub struct Participants<'a> {
 
 /// Detection with its buffers, reused from one time to the next.
 #[derive(Debug, Clone, Default)]
-pub struct Detector {
+pub(super) struct Detector {
     sweep: Sweep<2>,
 }
 
@@ -39,7 +40,7 @@ impl Detector {
         &mut self,
         scene: &Participants<'_>,
         elements: &mut Elements,
-        couples: &mut CoupleList,
+        couples: &mut CoupleList<Kept>,
     ) {
         if scene.selection != ContactSelection::Flagged {
             tag_boundary_elements(scene, elements);
@@ -83,7 +84,7 @@ fn examine(
     b: &Ball<2>,
     scene: &Participants<'_>,
     elements: &Elements,
-    couples: &mut CoupleList,
+    couples: &mut CoupleList<Kept>,
 ) {
     if scene.bonds.is_some_and(|bonds| bonds.exclude(elements, a.element, b.element)) {
         return;
@@ -91,7 +92,10 @@ fn examine(
     if scene.selection == ContactSelection::Tagged && a.tag == b.tag {
         return;
     }
-    couple_or_part(a, b, scene.buffer, couples, CoupleList::find);
+    if let Some(slot) = couple_or_part(a, b, scene.buffer, couples, CoupleList::find) {
+        // the slot keeps the sliding of the couple that had it before, not its rest
+        couples.kept_mut(slot).rest = 0.0;
+    }
 }
 
 /// Gives every element with a node flagged 1 its own tag. Tags are never

@@ -5,20 +5,24 @@
 
 use super::{
     bodies::{Bodies, Body},
-    certain::Separator,
     chunk::Chunk,
-    clearance::{Clearance, clearance},
+    clearance::{Clearance, clearance, faces},
+    facing::Facing,
     friction::PairTable,
     placement::Placement,
-    visits::{RespitesMut, Visit},
+    respites::{RespitesMut, rounded_down},
+    sliding::Sliding,
+    visits::{Chains, Visit},
 };
 use crate::{lanes::each, mechanics::Vec2, team::Team};
 use std::iter::once;
 
 /// A couple that could not be let rest is asked again after so many evaluations.
-const PATIENCE: f64 = 64.0;
+const PATIENCE: u32 = 64;
 /// The same for a couple that touches at a point, as bonded neighbours do.
-const PATIENCE_TOUCHING: f64 = 512.0;
+const PATIENCE_TOUCHING: u32 = 512;
+/// Facing edges that do not tell are chosen anew in one of so many evaluations.
+const PATIENCE_FACING: u32 = 32;
 
 /// Steps at the present speed that a rest must promise.
 const WORTHWHILE_STEPS: f64 = 4.0;
@@ -41,35 +45,21 @@ pub(super) struct Step<'a> {
     pub pairs: &'a PairTable,
     pub dt: f64,
     pub buffer: f64,
-    /// Path of the fastest node, m, and the part of the last step.
+    /// Path of the fastest node since the list was made, m, and the part of the last step.
     pub path: f64,
     pub advance: f64,
     pub rests: bool,
     /// Evaluations before this one.
-    pub evaluation: f64,
-}
-
-/// What evaluation did.
-#[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Done {
-    pub evaluated: u64,
-    /// Whether a couple came apart.
-    pub dropped: bool,
-}
-
-impl Done {
-    fn and(self, other: Self) -> Self {
-        Self { evaluated: self.evaluated + other.evaluated, dropped: self.dropped || other.dropped }
-    }
+    pub evaluation: u32,
 }
 
 impl Step<'_> {
     /// Path up to which a couple rests that may do so while no node moves further than `free`;
     /// none if that is not worth it for some steps or not resolved by the sum of the path.
     #[inline(always)]
-    pub(super) fn rest(&self, free: f64) -> Option<f64> {
+    pub(super) fn rest(&self, free: f64) -> Option<f32> {
         (free > WORTHWHILE_STEPS * self.advance && free > 1e-9 * self.path)
-            .then_some(self.path + free)
+            .then_some(rounded_down(self.path + free))
     }
 
     /// Square of the distance beyond which a couple is dropped, m².
@@ -77,62 +67,115 @@ impl Step<'_> {
         4.0 * self.buffer * self.buffer
     }
 
+    /// Whether couples that did not touch are asked whether they can rest, those that may be.
     #[inline(always)]
-    pub fn bodies_of(&self, participants: [u32; 2]) -> [&Body; 2] {
-        each!(2, |t| &self.bodies.bodies[participants[t] as usize])
+    pub fn asks_all(&self) -> bool {
+        self.evaluation.is_multiple_of(PATIENCE)
     }
 
     #[inline(always)]
-    pub fn nodes_of(&self, participants: [u32; 2]) -> [&[u32; 3]; 2] {
-        each!(2, |t| &self.bodies.corners[participants[t] as usize])
+    pub fn bodies_of(&self, facing: Facing) -> [&Body; 2] {
+        let places = facing.bodies();
+        each!(2, |t| &self.bodies.bodies[places[t] as usize])
+    }
+
+    #[inline(always)]
+    pub fn nodes_of(&self, bodies: [u32; 2]) -> [&[u32; 3]; 2] {
+        each!(2, |t| &self.bodies.corners[bodies[t] as usize])
     }
 
     /// Finds out for how long a couple without effect can be left alone.
     #[cold]
     #[inline(never)]
-    pub fn ask(&self, participants: [u32; 2], respites: &mut RespitesMut<'_>, index: usize) {
-        let nodes = self.nodes_of(participants);
-        let corners = self.bodies_of(participants).map(Body::corners);
+    pub fn ask(&self, facing: &mut Facing, respites: &mut RespitesMut<'_>, index: usize) {
+        let nodes = self.nodes_of(facing.bodies());
+        let corners = self.bodies_of(*facing).map(Body::corners);
         let Clearance { rest, stay } = clearance(nodes, &corners, self.buffer);
         if let Some(path) = self.rest(rest) {
             respites.rest[index] = path;
         } else {
             let patience = if rest == 0.0 { PATIENCE_TOUCHING } else { PATIENCE };
-            respites.ask[index] = self.evaluation + patience;
+            respites.ask[index] = self.evaluation.saturating_add(patience);
         }
         if let Some(path) = self.rest(stay) {
             respites.stay[index] = path;
         }
-        respites.separators[index] = Separator::of(&corners[0], &corners[1]).bits();
+        self.face(facing, respites, index);
+    }
+
+    /// The same for a couple whose facing edges did not tell that it has none.
+    #[inline(always)]
+    pub fn ask_later(&self, facing: &mut Facing, respites: &mut RespitesMut<'_>, index: usize) {
+        if respites.ask[index] <= self.evaluation {
+            self.ask(facing, respites, index);
+        } else if (self.evaluation + index as u32).is_multiple_of(PATIENCE_FACING) {
+            self.face(facing, respites, index);
+        }
+    }
+
+    /// Chooses the edges that face each other.
+    #[cold]
+    #[inline(never)]
+    fn face(&self, facing: &mut Facing, respites: &mut RespitesMut<'_>, index: usize) {
+        let nodes = self.nodes_of(facing.bodies());
+        let corners = self.bodies_of(*facing).map(Body::corners);
+        respites.face[index] = 0.0;
+        let Some(faces) = faces(nodes, &corners) else { return };
+        *facing = facing.with_edges(faces.edges);
+        respites.limit[index] = rounded_down(faces.limit);
+        if let Some(path) = self.rest(faces.reach) {
+            respites.face[index] = path.min(respites.stay[index]);
+        }
     }
 
     /// Whether a couple of which no edge is cut is dropped.
     #[cold]
     #[inline(never)]
-    pub fn is_beyond(&self, participants: [u32; 2]) -> bool {
-        let [target, contactor] = self.bodies_of(participants).map(Body::shape);
+    pub fn is_beyond(&self, facing: Facing) -> bool {
+        let [target, contactor] = self.bodies_of(facing).map(Body::shape);
         let shapes = [&target, &contactor];
         Placement::new(shapes).is_beyond(shapes, self.drop_distance_squared())
     }
 }
 
-/// Some couples in the order of the list.
+/// All couples in the order of the list.
 pub(super) struct Couples<'a> {
     pub visits: &'a mut [Visit],
-    /// Their places among the bodies.
-    pub participants: &'a [[u32; 2]],
+    /// Their places among the bodies, and their facing edges.
+    pub facing: &'a mut [Facing],
     pub respites: RespitesMut<'a>,
+    pub sliding: &'a mut Sliding,
+    pub chains: &'a mut Chains,
+    /// Takes the places of those that came apart.
+    pub dropped: &'a mut Vec<u32>,
 }
 
-impl<'a> Couples<'a> {
-    /// So many couples each.
-    fn chunks(self, size: usize) -> impl Iterator<Item = Couples<'a>> + Send {
-        let lists = self.visits.chunks_mut(size).zip(self.participants.chunks(size));
-        lists.zip(self.respites.chunks(size)).map(|((visits, participants), respites)| Couples {
-            visits,
-            participants,
-            respites,
-        })
+/// Some couples in the order of the list, while they are evaluated.
+pub(super) struct Part<'a> {
+    pub visits: &'a [Visit],
+    pub facing: &'a mut [Facing],
+    pub respites: RespitesMut<'a>,
+    pub sliding: &'a Sliding,
+}
+
+impl Couples<'_> {
+    /// So many couples each, from `first` to before `end`.
+    fn parts(&mut self, first: usize, end: usize, size: usize) -> impl Iterator<Item = Part<'_>> {
+        let Self { visits, facing, respites, sliding, .. } = self;
+        let respites = respites.reborrow().range(first..end).chunks(size);
+        let facing = facing[first..end].chunks_mut(size);
+        let sliding = &**sliding;
+        visits[first..end]
+            .chunks(size)
+            .zip(facing)
+            .zip(respites)
+            .map(move |((visits, facing), respites)| Part { visits, facing, respites, sliding })
+    }
+
+    /// Takes over what became of the couples of a chunk, of which the first has the place `first`.
+    fn take_over(&mut self, chunk: &Chunk, first: usize) {
+        chunk.keep_sliding(&mut self.visits[first..], self.sliding);
+        self.dropped.extend(chunk.dropped().iter().map(|&couple| first as u32 + couple));
     }
 }
 
@@ -141,7 +184,7 @@ enum Task<'a, 'b> {
     /// Adds the forces of some chunks.
     Scatter(&'b [Chunk], &'b mut [Vec2]),
     /// Evaluates some couples.
-    Evaluate(Couples<'a>, &'b mut Chunk),
+    Evaluate(Part<'a>, &'b mut Chunk),
 }
 
 /// Buffers reused from step to step: while the couples of one bank are evaluated, those of the other
@@ -152,14 +195,15 @@ pub(super) struct Evaluator {
 }
 
 impl Evaluator {
-    /// Evaluates the couples and adds their forces, in the order of the list.
+    /// Evaluates the couples and adds their forces, in the order of the list; how many of them
+    /// had to be evaluated.
     pub fn evaluate(
         &mut self,
         step: &Step<'_>,
-        couples: Couples<'_>,
+        couples: &mut Couples<'_>,
         forces: &mut [Vec2],
         team: &Team,
-    ) -> Done {
+    ) -> u64 {
         if team.size() > 1 && couples.visits.len() >= PARALLEL_FROM {
             self.evaluate_on(team, step, couples, forces)
         } else {
@@ -170,18 +214,23 @@ impl Evaluator {
     fn evaluate_alone(
         &mut self,
         step: &Step<'_>,
-        couples: Couples<'_>,
+        couples: &mut Couples<'_>,
         forces: &mut [Vec2],
-    ) -> Done {
+    ) -> u64 {
         let [bank, _] = &mut self.banks;
         let chunk = &mut room_for(bank, 1)[0];
-        let mut done = Done::default();
-        for couples in couples.chunks(CHUNK) {
-            chunk.evaluate(step, couples);
+        let mut evaluated = 0;
+        let count = couples.visits.len();
+        for first in (0..count).step_by(CHUNK) {
+            let end = count.min(first + CHUNK);
+            for part in couples.parts(first, end, CHUNK) {
+                chunk.evaluate(step, part);
+            }
+            couples.take_over(chunk, first);
             chunk.scatter(step, forces);
-            done = done.and(chunk.done());
+            evaluated += chunk.evaluated();
         }
-        done
+        evaluated
     }
 
     /// Round by round, so that what couples exert needs little memory.
@@ -189,10 +238,9 @@ impl Evaluator {
         &mut self,
         team: &Team,
         step: &Step<'_>,
-        couples: Couples<'_>,
+        couples: &mut Couples<'_>,
         forces: &mut [Vec2],
-    ) -> Done {
-        let mut done = Done::default();
+    ) -> u64 {
         let scatter = |chunks: &[Chunk], forces: &mut [Vec2]| {
             chunks.iter().for_each(|chunk| chunk.scatter(step, forces));
         };
@@ -200,23 +248,29 @@ impl Evaluator {
             Task::Scatter(chunks, forces) => scatter(chunks, forces),
             Task::Evaluate(couples, chunk) => chunk.evaluate(step, couples),
         };
+        let mut evaluated = 0;
         // how many of the other bank have not added their forces yet
         let mut waiting = 0;
+        let count = couples.visits.len();
         let in_a_round = team.size() * CHUNKS_PER_THREAD;
-        let chunk = couples.visits.len().div_ceil(ROUNDS * in_a_round).clamp(LEAST_CHUNK, CHUNK);
-        for round in couples.chunks(in_a_round * chunk) {
+        let chunk = count.div_ceil(ROUNDS * in_a_round).clamp(LEAST_CHUNK, CHUNK);
+        for first in (0..count).step_by(in_a_round * chunk) {
+            let end = count.min(first + in_a_round * chunk);
             let [bank, other] = &mut self.banks;
-            let chunks = round.visits.len().div_ceil(chunk);
+            let chunks = (end - first).div_ceil(chunk);
             let bank = room_for(bank, chunks);
-            let pairs = round.chunks(chunk).zip(&mut *bank);
-            let tasks = pairs.map(|(couples, chunk)| Task::Evaluate(couples, chunk));
+            let parts = couples.parts(first, end, chunk).zip(&mut *bank);
+            let tasks = parts.map(|(part, chunk)| Task::Evaluate(part, chunk));
             team.share(once(Task::Scatter(&other[..waiting], forces)).chain(tasks), work);
-            done = bank.iter().fold(done, |done, chunk| done.and(chunk.done()));
+            for (chunk_of_bank, first) in bank.iter().zip((first..end).step_by(chunk)) {
+                couples.take_over(chunk_of_bank, first);
+                evaluated += chunk_of_bank.evaluated();
+            }
             waiting = chunks;
             self.banks.swap(0, 1);
         }
         scatter(&self.banks[1][..waiting], forces);
-        done
+        evaluated
     }
 }
 

@@ -4,8 +4,10 @@ use super::{
     bodies::{Triangles, velocities_of},
     edges::{Edges, Ends, Integrals, Pairs},
     evaluation::Step,
+    facing::Facing,
     locate::{Located, locate},
-    visits::{Traits, Visit},
+    sliding::SlidingRow,
+    visits::Traits,
 };
 use crate::{
     lanes::{LANES, Lanes, Mask, each},
@@ -28,12 +30,15 @@ const BOTH_SIDES: u32 = 0b11;
 /// Forces between the triangles of a couple.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Exertion {
-    participants: [u32; 2],
+    /// Places of the triangles among the bodies.
+    bodies: [u32; 2],
     shares_node: bool,
     /// Bit `t`: whether the edges of triangle `t` exert anything.
     acts: u32,
     /// Entry `t`: what acts on the edges of triangle `t`.
     sides: [SideExertion; 2],
+    /// Sliding after the step.
+    sliding: SlidingRow,
 }
 
 /// Forces by what acts on the edges of one triangle.
@@ -47,11 +52,17 @@ struct SideExertion {
 }
 
 impl Exertion {
+    /// Sliding after the step if the triangles exert anything.
+    #[inline(always)]
+    pub fn sliding(&self) -> Option<&SlidingRow> {
+        (self.acts != 0).then_some(&self.sliding)
+    }
+
     /// Adds the forces to those of the nodes, in the original's order: side by side, corner by
     /// corner.
     #[inline(always)]
     pub fn scatter(&self, step: &Step<'_>, forces: &mut [Vec2]) {
-        let nodes = step.nodes_of(self.participants);
+        let nodes = step.nodes_of(self.bodies);
         if self.acts == BOTH_SIDES && !self.shares_node {
             // each node once
             let [first, second] = &self.sides;
@@ -98,11 +109,11 @@ fn subtract(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
 
 /// Four couples to evaluate; behind the first `count` lanes come repetitions of the first.
 #[derive(Clone, Copy)]
-pub(super) struct Quartet {
-    /// Their places in the list.
-    pub couples: [usize; LANES],
-    pub participants: [[u32; 2]; LANES],
+pub(super) struct Quartet<'a> {
+    pub couples: [Facing; LANES],
     pub traits: [Traits; LANES],
+    /// Sliding before the step.
+    pub sliding: [&'a SlidingRow; LANES],
     pub count: usize,
 }
 
@@ -132,9 +143,8 @@ impl<L: Lanes> Bench<L> {
     }
 }
 
-impl Quartet {
-    /// Evaluates the couples: updates their sliding and writes what each exerts to its place in
-    /// `out`. The result has for each a bit for every edge that had to be cut; those without one
+impl Quartet<'_> {
+    /// Evaluates the couples: writes what each exerts and how far it has slid to its place in `out`. The result has for each a bit for every edge that had to be cut; those without one
     /// exert nothing.
     ///
     /// What depends on each other in an edge takes long: the integrals of all edges come first,
@@ -143,13 +153,12 @@ impl Quartet {
     pub fn exert<L: Lanes>(
         &self,
         step: &Step<'_>,
-        visits: &mut [Visit],
         bench: &mut Bench<L>,
         places: [usize; LANES],
         out: &mut [Exertion],
     ) -> [u8; LANES] {
         let Bench { integrals, velocity, normals, own } = bench;
-        let bodies = each!(4, |k| step.bodies_of(self.participants[k]));
+        let bodies = each!(4, |k| step.bodies_of(self.couples[k]));
         let triangles = [
             Triangles::<L>::new(each!(4, |k| bodies[k][0])),
             Triangles::new(each!(4, |k| bodies[k][1])),
@@ -186,7 +195,7 @@ impl Quartet {
             }
         }
         let pair = self.pair(step);
-        let mut sliding = self.sliding::<L>(visits);
+        let mut sliding = self.sliding::<L>();
         let never = zero.lt(zero);
         let mut acts = [never; 2];
         let mut left = slots;
@@ -219,20 +228,20 @@ impl Quartet {
         }
         for k in 0..LANES {
             let exertion = &mut out[places[k]];
-            exertion.participants = self.participants[k];
-            exertion.shares_node = self.traits[k].shares_node;
+            exertion.bodies = self.couples[k].bodies();
+            exertion.shares_node = self.traits[k].shares_node();
             exertion.acts = (acts[0].bits() >> k & 1) | (acts[1].bits() >> k & 1) << 1;
         }
         write_side(0, own, &points, places, out);
         write_side(1, own, &points, places, out);
-        self.keep_sliding(&sliding, visits);
+        write_sliding(&sliding, places, out);
         edges
     }
 
     /// Contact properties.
     #[inline(always)]
     fn pair<L: Lanes>(&self, step: &Step<'_>) -> Pairs<L> {
-        let pairs = each!(4, |k| self.traits[k].pair);
+        let pairs = each!(4, |k| self.traits[k].pair());
         if pairs == [pairs[0]; LANES] {
             let pair = step.pairs.properties(pairs[0]);
             return Pairs {
@@ -251,25 +260,25 @@ impl Quartet {
 
     /// Sliding of the six edges.
     #[inline(always)]
-    fn sliding<L: Lanes>(&self, visits: &[Visit]) -> [L; PLACES] {
-        let rows = each!(4, |k| &visits[self.couples[k]].sliding);
+    fn sliding<L: Lanes>(&self) -> [L; PLACES] {
+        let rows = self.sliding;
         let [a, b, c, d] = L::transpose(each!(4, |k| L::load(first(rows[k]))));
         let [_, _, e, f] = L::transpose(each!(4, |k| L::load(last(rows[k]))));
         let zero = L::splat(0.0);
         [a, b, c, d, e, f, zero, zero]
     }
+}
 
-    /// Takes over the sliding of the six edges.
-    #[inline(always)]
-    fn keep_sliding<L: Lanes>(&self, sliding: &[L; PLACES], visits: &mut [Visit]) {
-        let &[a, b, c, d, e, f, ..] = sliding;
-        let starts = L::transpose([a, b, c, d]);
-        let ends = L::transpose([c, d, e, f]);
-        for k in 0..self.count {
-            let sliding = &mut visits[self.couples[k]].sliding;
-            let (start, end) = (starts[k].array(), ends[k].array());
-            *sliding = [start[0], start[1], start[2], start[3], end[2], end[3]];
-        }
+/// Writes the sliding of the six edges.
+#[inline(always)]
+fn write_sliding<L: Lanes>(sliding: &[L; PLACES], places: [usize; LANES], out: &mut [Exertion]) {
+    let &[a, b, c, d, e, f, ..] = sliding;
+    let starts = L::transpose([a, b, c, d]);
+    let ends = L::transpose([c, d, e, f]);
+    for k in 0..LANES {
+        let row = &mut out[places[k]].sliding;
+        starts[k].store(&mut row.as_chunks_mut().0[0]);
+        ends[k].store(&mut row[2..].as_chunks_mut().0[0]);
     }
 }
 
@@ -323,11 +332,8 @@ mod tests {
     use super::*;
     use crate::{
         contact::{
-            Couple, Motion, Proximity, SideForces,
-            bodies::Bodies,
-            certain::{Separator, certainly_clear, certainly_separated},
-            friction::PairTable,
-            overlap,
+            Couple, Motion, Proximity, SideForces, bodies::Bodies, certain::certainly_clear,
+            clearance::faces, facing::face_apart, friction::PairTable, overlap,
         },
         lanes::{self, Kernel},
         scene::PairProperties,
@@ -416,41 +422,49 @@ mod tests {
                 path: 0.0,
                 advance: 0.0,
                 rests: true,
-                evaluation: 0.0,
+                evaluation: 0,
             };
             let participants = scene.couples();
             let traits = participants.map(|[t, c]| {
                 let others = &scene.corners[t as usize];
                 let shares = scene.corners[c as usize].iter().any(|node| others.contains(node));
-                Traits { pair: 0, shares_node: shares }
+                Traits::new(0, shares, true)
             });
-            let mut visits: Vec<Visit> = participants
-                .iter()
-                .zip(scene.sliding)
-                .map(|(&participants, sliding)| Visit::between(participants, sliding))
-                .collect();
-            let quartet = Quartet { couples: [0, 1, 2, 3], participants, traits, count: LANES };
+            let couples = participants.map(Facing::between);
+            let quartet =
+                Quartet { couples, traits, sliding: scene.sliding.each_ref(), count: LANES };
             let mut out = [Exertion::default(); LANES];
             let mut bench = Bench::<L>::new();
-            let edges = quartet.exert(&step, &mut visits, &mut bench, [2, 0, 3, 1], &mut out);
+            let places = [2, 0, 3, 1];
+            let edges = quartet.exert(&step, &mut bench, places, &mut out);
             let mut forces = vec![Vec2::zeros(); scene.places.len()];
-            for exertion in [out[2], out[0], out[3], out[1]] {
+            let exertions = places.map(|place| out[place]);
+            for exertion in exertions {
                 exertion.scatter(&step, &mut forces);
             }
             let touching = (0..LANES).map(|k| u32::from(edges[k] != 0) << k).sum();
-            let sliding: Vec<_> = visits.iter().map(|visit| visit.sliding).collect();
-            let of =
-                |t: usize| Triangles::<L>::new(each!(4, |k| step.bodies_of(participants[k])[t]));
+            let sliding: Vec<_> = exertions
+                .iter()
+                .zip(scene.sliding)
+                .map(|(exertion, before)| *exertion.sliding().unwrap_or(&before))
+                .collect();
+            let of = |t: usize| Triangles::<L>::new(each!(4, |k| step.bodies_of(couples[k])[t]));
             let clear = certainly_clear(&of(0), &of(1)).bits();
-            // by the best edges and by any
-            let bodies = participants.map(|couple| step.bodies_of(couple));
-            let separated = |separators| certainly_separated::<L>(&bodies, separators).bits();
-            let best = bodies.map(|[t, c]| Separator::of(&t.corners(), &c.corners()));
-            let mut clear_by_edges = separated(best);
-            for bits in 0..11 {
-                clear_by_edges |= separated([Separator::from_bits(bits); LANES]);
+            // where facing edges tell that a couple has no effect, it has none
+            let found = couples.map(|couple| {
+                let corners = step.bodies_of(couple).map(|body| body.corners());
+                faces(step.nodes_of(couple.bodies()), &corners)
+            });
+            let facing = each!(4, |k| found[k]
+                .map_or(couples[k], |faces| couples[k].with_edges(faces.edges)));
+            let limit = L::new(found.map(|found| found.map_or(0.0, |faces| faces.limit)));
+            let apart = face_apart(&bodies, &facing, limit);
+            for k in 0..LANES {
+                if found[k].is_some() {
+                    assert_ne!(apart & 1 << k, 0);
+                    assert_eq!(exertions[k].acts, 0);
+                }
             }
-            assert_eq!(clear_by_edges & !clear, 0);
             (scene.outcome(touching, &forces, &sliding), clear)
         }
     }

@@ -102,6 +102,12 @@ impl PairTable {
         self.pairs[rank].is_some().then_some(rank as u32)
     }
 
+    /// Upper bound of all ranks.
+    #[must_use]
+    pub fn ranks(&self) -> usize {
+        self.materials * self.materials
+    }
+
     /// Adds the contact properties of fractures, which count between two
     /// triangles that both lie on one (Y-Geo, spec `contact.md` 3.1).
     #[must_use]

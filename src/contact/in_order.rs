@@ -5,9 +5,8 @@
 
 use super::{
     clearance::clearance,
-    evaluation::{Couples, Done, Step},
+    evaluation::{Couples, Step},
     overlap2::{Couple, EdgeContact, Proximity, SideForces, TangentialLaw, overlap},
-    visits::unlink,
 };
 use crate::{
     mechanics::Vec2,
@@ -130,7 +129,8 @@ impl<F: FractureFaces> TangentialLaw for FractureFriction<'_, F> {
     }
 }
 
-/// Evaluates the couples in the order of the list and adds their forces.
+/// Evaluates the couples in the order of the list and adds their forces; how many of them had to be
+/// evaluated.
 pub(super) fn evaluate_in_order(
     step: &Step<'_>,
     couples: Couples<'_>,
@@ -138,20 +138,21 @@ pub(super) fn evaluate_in_order(
     faces: &impl FractureFaces,
     mut tally: Option<&mut Tally>,
     forces: &mut [Vec2],
-) -> Done {
-    let Couples { visits: list, participants, respites } = couples;
-    let mut done = Done::default();
+) -> u64 {
+    let Couples { visits: list, facing, respites, sliding, chains, dropped } = couples;
+    let mut evaluated = 0;
     let mut sides = [SideForces::default(); 2];
     let mut last_angle = 0.0;
     for index in 0..list.len() {
-        let visit = &mut list[index];
-        if step.path < respites.rest[index] {
+        if step.path < f64::from(respites.rest[index]) {
             continue;
         }
-        done.evaluated += 1;
-        let [target, contactor] = participants[index].map(|p| p as usize);
-        let nodes = step.nodes_of(participants[index]);
-        let pair = step.pairs.properties(visit.traits.pair);
+        evaluated += 1;
+        let visit = &mut list[index];
+        let bodies = facing[index].bodies();
+        let [target, contactor] = bodies.map(|place| place as usize);
+        let nodes = step.nodes_of(bodies);
+        let pair = step.pairs.properties(visit.traits.pair());
         let couple = Couple {
             shapes: [&step.bodies.shapes[target], &step.bodies.shapes[contactor]],
             motions: [&step.bodies.motions[target], &step.bodies.motions[contactor]],
@@ -163,20 +164,21 @@ pub(super) fn evaluate_in_order(
             pair,
             model,
             faces,
-            elements: [visit.target, visit.contactor],
+            elements: bodies.map(|place| step.bodies.elements[place as usize]),
             last_angle: &mut last_angle,
             tally: tally.as_deref_mut(),
-            are_alike: step.pairs.is_inside(visit.rank),
+            are_alike: visit.traits.is_inside(),
         };
-        match overlap(&couple, &mut law, &mut visit.sliding, &mut sides) {
+        let mut slid = *sliding.of(visit.sliding);
+        match overlap(&couple, &mut law, &mut slid, &mut sides) {
             Proximity::Near => {
+                sliding.keep(&mut visit.sliding, &slid);
                 sides[0].scatter(nodes[0], nodes[1], forces);
                 sides[1].scatter(nodes[1], nodes[0], forces);
             }
             Proximity::Beyond => {
-                visit.is_dropped = true;
-                done.dropped = true;
-                unlink(list, index);
+                dropped.push(index as u32);
+                chains.unlink(list, sliding, index);
             }
             Proximity::Clear if step.rests => {
                 let corners = [couple.shapes[0].corners(), couple.shapes[1].corners()];
@@ -186,5 +188,5 @@ pub(super) fn evaluate_in_order(
             Proximity::Clear => {}
         }
     }
-    done
+    evaluated
 }

@@ -6,10 +6,12 @@ use super::{
     bonds::Bonds,
     couples::CoupleList,
     detection::{Detector, Participants},
-    evaluation::{Done, Evaluator, Step},
+    evaluation::{Evaluator, Step},
     friction::PairTable,
     in_order::{FractureFaces, Tally, evaluate_in_order},
-    visits::{Respites, Visits},
+    respites::Respites,
+    sliding::Sliding,
+    visits::{Kept, Visits},
 };
 use crate::{
     mechanics::Vec2,
@@ -41,10 +43,13 @@ const MOST_COUNTED: u64 = 1 << 60;
 /// What contact keeps from step to step.
 #[derive(Debug, Clone, Serialize, Deserialize)]
 pub struct ContactState {
-    couples: CoupleList,
-    /// How long the couples can be left alone, in the order of their evaluation.
+    couples: CoupleList<Kept>,
+    sliding: Sliding,
+    /// How long the couples can be left alone, in the order of their evaluation, and which of their
+    /// edges face each other.
     respites: Respites,
-    evaluations: u64,
+    facing_edges: Vec<u8>,
+    evaluations: u32,
     travel: f64,
     path: f64,
     advance: f64,
@@ -56,14 +61,14 @@ pub struct ContactState {
 #[derive(Debug, Clone)]
 pub struct Contact {
     settings: ContactSettings,
-    couples: CoupleList,
+    couples: CoupleList<Kept>,
     detector: Detector,
     pairs: PairTable,
     visits: Visits,
     evaluator: Evaluator,
     /// Travel accumulated since the last detection, m.
     travel: f64,
-    /// Path of the fastest node since the start: no node has moved further, m.
+    /// Path of the fastest node since the couples were listed: no node has moved further, m.
     path: f64,
     /// Part of the path covered in the last step, m.
     advance: f64,
@@ -72,8 +77,8 @@ pub struct Contact {
     /// Nodes of elements that take part in contact.
     moving_nodes: Vec<u32>,
     work: CoupleWork,
-    /// Steps in which couples were evaluated.
-    evaluations: u64,
+    /// Steps in which couples were evaluated, up to the largest number.
+    evaluations: u32,
     /// Whether a dropped couple changes the next of its chain.
     is_chained: bool,
 }
@@ -85,17 +90,24 @@ impl Contact {
     /// results do not depend on it.
     #[must_use]
     pub fn new(settings: ContactSettings, rests: bool) -> Self {
+        let mut visits = Visits::default();
+        let initial = settings.initial_sliding.iter().map(|row| {
+            let mut kept = Kept::default();
+            visits.sliding.keep(&mut kept.sliding, row);
+            kept
+        });
+        let initial = initial.collect();
         Self {
             path: 0.0,
             advance: 0.0,
             is_chained: false,
             rests,
             travel: settings.initial_travel,
-            couples: CoupleList::new(settings.initial_sliding.clone()),
+            couples: CoupleList::new(initial),
             settings,
             detector: Detector::default(),
             pairs: PairTable::default(),
-            visits: Visits::default(),
+            visits,
             evaluator: Evaluator::default(),
             moving_nodes: Vec::new(),
             work: CoupleWork::default(),
@@ -122,12 +134,13 @@ impl Contact {
     #[must_use]
     pub fn couples(&self) -> Vec<([u32; 2], [f64; 6])> {
         let mut couples = self.couples.clone();
-        self.visits.store(&mut couples);
+        self.visits.store(self.path, &mut couples);
         let listed = |contactor| {
-            let couples = &couples;
-            couples
-                .of(contactor)
-                .map(move |slot| ([contactor, couples.target(slot)], *couples.sliding(slot)))
+            let (couples, sliding) = (&couples, &self.visits.sliding);
+            couples.of(contactor).map(move |slot| {
+                let slid = sliding.of(couples.kept(slot).sliding);
+                ([contactor, couples.target(slot)], *slid)
+            })
         };
         (0..couples.contactors() as u32).flat_map(listed).collect()
     }
@@ -147,8 +160,8 @@ impl Contact {
     pub fn rebuild(&mut self, scene: &Scene) {
         self.take_over(scene);
         self.couples.resize(scene.elements.len());
-        self.visits.store(&mut self.couples);
-        self.couples.wake_all();
+        self.visits.store(self.path, &mut self.couples);
+        self.couples.all_kept().for_each(|kept| kept.rest = 0.0);
         self.list_couples(&scene.elements);
     }
 
@@ -176,10 +189,12 @@ impl Contact {
     #[must_use]
     pub fn state(&self) -> ContactState {
         let mut couples = self.couples.clone();
-        self.visits.store(&mut couples);
+        self.visits.store(self.path, &mut couples);
         ContactState {
             couples,
+            sliding: self.visits.sliding.clone(),
             respites: self.visits.respites.clone(),
+            facing_edges: self.visits.facing.iter().map(|facing| facing.edge_bits()).collect(),
             evaluations: self.evaluations,
             travel: self.travel,
             path: self.path,
@@ -194,23 +209,41 @@ impl Contact {
     /// # Errors
     /// If the state is not one of this scene; contact is of no use then.
     pub fn restore(&mut self, state: ContactState, scene: &Scene) -> Result<(), &'static str> {
-        let ContactState { couples, respites, evaluations, travel, path, advance, rests, work } =
-            state;
+        let ContactState {
+            mut couples,
+            sliding,
+            respites,
+            facing_edges,
+            evaluations,
+            travel,
+            path,
+            advance,
+            rests,
+            work,
+        } = state;
         couples.check(scene.elements.len())?;
-        let counts = [work.detections, work.evaluated, work.rested, evaluations];
+        let counts = [work.detections, work.evaluated, work.rested];
         if counts.into_iter().any(|count| count > MOST_COUNTED) {
             return Err("a count of contacts is too large");
         }
-        (self.travel, self.path, self.advance, self.work) = (travel, path, advance, work);
+        if !couples.all_kept().all(|kept| sliding.has(kept.sliding)) {
+            return Err("a couple has a sliding that is not there");
+        }
+        (self.travel, self.advance, self.work) = (travel, advance, work);
         self.rests &= rests;
         self.take_over(scene);
         self.couples = couples;
+        self.visits.sliding = sliding;
         self.list_couples(&scene.elements);
-        if !respites.is_of(self.visits.list.len()) {
+        let count = self.visits.list.len();
+        if !respites.is_of(count) || facing_edges.len() != count {
             return Err("the couples are not those of the elements");
         }
         self.visits.respites = respites;
-        self.evaluations = evaluations;
+        for (facing, bits) in self.visits.facing.iter_mut().zip(facing_edges) {
+            *facing = facing.with_edge_bits(bits);
+        }
+        (self.path, self.evaluations) = (path, evaluations);
         Ok(())
     }
 
@@ -240,7 +273,7 @@ impl Contact {
             selection: self.settings.selection,
             bonds,
         };
-        self.visits.store(&mut self.couples);
+        self.visits.store(self.path, &mut self.couples);
         self.detector.update(&scene, elements, &mut self.couples);
         self.work.most_couples = self.work.most_couples.max(self.couples.len());
         self.list_couples(elements);
@@ -268,11 +301,10 @@ impl Contact {
         f64::from_bits(fastest.into_inner())
     }
 
+    /// Lists the couples as they were stored; paths count from now on.
     fn list_couples(&mut self, elements: &Elements) {
-        self.visits.sort(&self.couples, &self.pairs, elements);
-        if self.is_chained {
-            self.visits.link();
-        }
+        self.visits.sort(&self.couples, &self.pairs, elements, self.is_chained);
+        self.path = 0.0;
     }
 
     /// Adds the contact forces of all couples and drops those that came apart.
@@ -280,10 +312,11 @@ impl Contact {
         self.visits.bodies.update(nodes, team);
         let mut visits = std::mem::take(&mut self.visits);
         let mut evaluator = std::mem::take(&mut self.evaluator);
-        let (bodies, couples) = visits.couples();
-        let done = evaluator.evaluate(&self.step(bodies, dt), couples, forces, team);
+        let (bodies, mut couples) = visits.couples();
+        let step = self.step(bodies, dt);
+        let evaluated = evaluator.evaluate(&step, &mut couples, forces, team);
         (self.visits, self.evaluator) = (visits, evaluator);
-        self.take_stock(done);
+        self.take_stock(evaluated);
     }
 
     /// The same for scenes with fractures, couple after couple. `tally` takes
@@ -300,9 +333,9 @@ impl Contact {
         let mut visits = std::mem::take(&mut self.visits);
         let (bodies, couples) = visits.couples();
         let (step, model) = (self.step(bodies, dt), self.settings.friction);
-        let done = evaluate_in_order(&step, couples, model, faces, tally, forces);
+        let evaluated = evaluate_in_order(&step, couples, model, faces, tally, forces);
         self.visits = visits;
-        self.take_stock(done);
+        self.take_stock(evaluated);
     }
 
     fn step<'a>(&'a self, bodies: &'a Bodies, dt: f64) -> Step<'a> {
@@ -314,19 +347,16 @@ impl Contact {
             path: self.path,
             advance: self.advance,
             rests: self.rests,
-            evaluation: self.evaluations as f64,
+            evaluation: self.evaluations,
         }
     }
 
-    fn take_stock(&mut self, done: Done) {
-        self.evaluations += 1;
-        self.work.evaluated += done.evaluated;
-        self.work.rested += self.visits.list.len() as u64 - done.evaluated;
-        if done.dropped {
+    fn take_stock(&mut self, evaluated: u64) {
+        self.evaluations = self.evaluations.saturating_add(1);
+        self.work.evaluated += evaluated;
+        self.work.rested += self.visits.list.len() as u64 - evaluated;
+        if !self.visits.dropped.is_empty() {
             self.visits.remove_dropped(&mut self.couples);
-            if self.is_chained {
-                self.visits.link();
-            }
         }
     }
 }

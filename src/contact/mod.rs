@@ -11,6 +11,7 @@ mod detection;
 mod edges;
 mod evaluation;
 mod exertion;
+mod facing;
 mod friction;
 mod in_order;
 mod interaction;
@@ -19,14 +20,16 @@ mod overlap2;
 mod placement;
 mod places;
 mod profile;
+mod respites;
+mod sliding;
 pub mod spatial;
 mod sweep;
 mod visits;
 
+use couples::CoupleList;
+
 pub use bonds::Bonds;
 pub use clearance::{Clearance, clearance};
-pub use couples::CoupleList;
-pub use detection::{Detector, Participants};
 pub use friction::PairTable;
 pub use in_order::{FractureFace, FractureFaces, Tally};
 pub use interaction::{Contact, ContactState, CoupleWork};

@@ -213,9 +213,9 @@ fn spans<const D: usize>(
     }
 }
 
-/// Adds or removes the couple of two elements as their distance asks. `find` gives the slot of the
-/// couple of a contactor and a target that was there before the sweep, which examines no pair
-/// twice.
+/// Adds or removes the couple of two elements as their distance asks; the slot of a new one.
+/// `find` gives the slot of the couple of a contactor and a target that was there before the sweep,
+/// which examines no pair twice.
 #[inline(always)]
 pub(super) fn couple_or_part<const D: usize, S: Copy + Default>(
     a: &Ball<D>,
@@ -223,16 +223,16 @@ pub(super) fn couple_or_part<const D: usize, S: Copy + Default>(
     buffer: f64,
     couples: &mut CoupleList<S>,
     find: impl FnOnce(&CoupleList<S>, u32, u32) -> Option<u32>,
-) {
+) -> Option<u32> {
     let (contactor, target) = if a.element > b.element { (a, b) } else { (b, a) };
     let distance = distance_squared(&contactor.centre, &target.centre);
     let reach = contactor.radius + target.radius + buffer;
     match find(couples, contactor.element, target.element) {
-        Some(slot) if distance > reach * reach => couples.remove(contactor.element, slot),
-        Some(_) => {}
-        None if distance < reach * reach => {
-            couples.insert(contactor.element, target.element);
+        Some(slot) if distance > reach * reach => {
+            couples.remove(contactor.element, slot);
+            None
         }
-        None => {}
+        None if distance < reach * reach => Some(couples.insert(contactor.element, target.element)),
+        _ => None,
     }
 }

@@ -202,6 +202,12 @@ impl Lanes for Avx2 {
     }
 
     #[inline(always)]
+    fn widen(values: &[f32; LANES]) -> Self {
+        // SAFETY: the machine has AVX2, see the module; the reference is to 16 bytes
+        Self(unsafe { _mm256_cvtps_pd(_mm_loadu_ps(values.as_ptr())) })
+    }
+
+    #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
         // SAFETY: the machine has AVX2, see the module; the reference is to 32 bytes
         unsafe { _mm256_storeu_pd(values.as_mut_ptr(), self.0) }

@@ -183,6 +183,11 @@ impl Lanes for Portable {
     }
 
     #[inline(always)]
+    fn widen(values: &[f32; LANES]) -> Self {
+        Self(values.map(f64::from))
+    }
+
+    #[inline(always)]
     fn store(self, values: &mut [f64; LANES]) {
         *values = self.0;
     }

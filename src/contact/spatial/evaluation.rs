@@ -79,7 +79,7 @@ impl Step<'_> {
             let velocities = nodes[t].map(|node| self.velocities[node as usize]);
             velocity(bodies[t], &velocities, &contact.centre)
         });
-        let mut slip = *self.couples.sliding(visit.slot);
+        let mut slip = *self.couples.kept(visit.slot);
         let force = contact.friction(&mut slip, &(contactor - target), pair, self.dt);
         Some(([on_target.map(|n| force * -n), on_contactor.map(|n| force * n)], slip))
     }

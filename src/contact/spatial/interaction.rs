@@ -270,7 +270,7 @@ impl Contact3 {
         self.bring_up(&evaluator.awake, motion.positions);
         evaluator.evaluate(&self.step(motion, dt), forces, &self.team);
         for &(slot, slip) in &evaluator.slips {
-            *self.couples.sliding_mut(slot) = slip;
+            *self.couples.kept_mut(slot) = slip;
         }
         let evaluated = evaluator.awake.len() as u64;
         self.work.evaluated += evaluated;
@@ -303,7 +303,7 @@ impl Contact3 {
         if self.settings.spatial.has_friction {
             for &couple in couples.iter().filter(|&&couple| self.visits.active(couple) == 0) {
                 let slot = self.visits.list[couple as usize].slot;
-                *self.couples.sliding_mut(slot) = Slip::default();
+                *self.couples.kept_mut(slot) = Slip::default();
             }
         }
     }
