@@ -33,7 +33,7 @@ fn write_pair(path: &Path) {
     };
     let mut writer = FamilyWriter::create(path, control, &geometry, 1).unwrap();
     for (time, alive) in [(0.0, 1.0), (0.5, 0.0)] {
-        let moved = start.map(|[x, y]| [f64::from(x) + time, f64::from(y)]);
+        let moved = start.map(|[x, y]| [x + time as f32, y]);
         writer
             .write_state(&StateView {
                 time,

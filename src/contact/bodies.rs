@@ -15,24 +15,19 @@ const PARALLEL_FROM: usize = 512;
 /// No place among the participants.
 const NOWHERE: u32 = u32::MAX;
 
-/// Corners of a triangle in one cache line, their velocities in the next.
+/// Corners of a triangle in one cache line.
 #[derive(Debug, Clone, Copy, Default, Pod, Zeroable)]
 #[repr(C, align(64))]
 pub(super) struct Body {
     /// x and y of corners 0, 1, 2 and 0: each edge's ends lie one after the other.
     rows: [[f64; 4]; 2],
-    /// The same of velocities: x and y of corners 0 and 1; x and y of corner 2, nothing.
-    motion: [[f64; 4]; 2],
 }
 
 impl Body {
-    /// The triangle with these corners, and their velocities.
+    /// The triangle with these corners.
     #[inline(always)]
-    pub fn new([p, q, r]: [Vec2; 3], [u, v, w]: [Vec2; 3]) -> Self {
-        Self {
-            rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, p.x, p.y]],
-            motion: [[u.x, u.y, v.x, v.y], [w.x, w.y, 0.0, 0.0]],
-        }
+    pub fn new([p, q, r]: [Vec2; 3]) -> Self {
+        Self { rows: [[p.x, p.y, q.x, q.y], [r.x, r.y, p.x, p.y]] }
     }
 
     /// Corner `i`.
@@ -78,7 +73,7 @@ impl<L: Lanes> Triangles<L> {
     }
 }
 
-/// Edges of all bodies: edge `e` of the body at `place` has the number 8 `place` + `e`.
+/// Edges of all bodies: edge `e` of the body at `place` has the number 4 `place` + `e`.
 #[derive(Clone, Copy)]
 pub(super) struct BodyEdges<'a>(&'a [[f64; 2]]);
 
@@ -91,12 +86,10 @@ impl BodyEdges<'_> {
     }
 }
 
-/// Velocities of the corners of four triangles, one per lane.
+/// What corners of four triangles have, one triangle per lane.
 #[inline(always)]
-pub(super) fn velocities_of<L: Lanes>(bodies: [&Body; LANES]) -> [[L; 2]; 3] {
-    let [x0, y0, x1, y1] = L::transpose(each!(4, |k| L::load(&bodies[k].motion[0])));
-    let [x2, y2] = L::pairs(each!(4, |k| &bodies[k].motion[1].as_chunks().0[0]));
-    [[x0, y0], [x1, y1], [x2, y2]]
+pub(super) fn of_corners<L: Lanes>(values: &[Vec2], corners: [&[u32; 3]; LANES]) -> [[L; 2]; 3] {
+    each!(3, |i| L::pairs(each!(4, |k| &values[corners[k][i] as usize].data.0[0])))
 }
 
 /// All participants of couples.
@@ -116,13 +109,10 @@ pub(super) struct Bodies {
 }
 
 impl Bodies {
-    /// Triangles with these corner nodes, given their places and velocities.
+    /// Triangles with these corner nodes, given their places.
     #[cfg(test)]
-    pub fn of(corners: Vec<[u32; 3]>, places: &[Vec2], velocities: &[Vec2]) -> Self {
-        let at = |corners: &[u32; 3]| {
-            let of = |values: &[Vec2]| corners.map(|n| values[n as usize]);
-            Body::new(of(places), of(velocities))
-        };
+    pub fn of(corners: Vec<[u32; 3]>, places: &[Vec2]) -> Self {
+        let at = |corners: &[u32; 3]| Body::new(corners.map(|n| places[n as usize]));
         Self { bodies: corners.iter().map(at).collect(), corners, ..Self::default() }
     }
 
@@ -151,22 +141,18 @@ impl Bodies {
         BodyEdges(bytemuck::cast_slice(&self.bodies))
     }
 
-    /// Takes over the present positions and velocities.
+    /// Takes over the present positions.
     pub fn update(&mut self, nodes: &Nodes<2>, team: &Team) {
         self.bodies.resize(self.corners.len(), Body::default());
-        let Nodes { current, velocity, .. } = nodes;
+        let current = &nodes.current;
         let part = match self.corners.len() {
             few if few < PARALLEL_FROM => PARALLEL_FROM,
             many => many.div_ceil(team.size()),
         };
         let parts = self.bodies.chunks_mut(part).zip(self.corners.chunks(part));
         team.share(parts, |(bodies, corners)| {
-            for (body, &[p, q, r]) in bodies.iter_mut().zip(corners) {
-                let [p, q, r] = [p as usize, q as usize, r as usize];
-                *body = Body::new(
-                    [current[p], current[q], current[r]],
-                    [velocity[p], velocity[q], velocity[r]],
-                );
+            for (body, corners) in bodies.iter_mut().zip(corners) {
+                *body = Body::new(corners.map(|n| current[n as usize]));
             }
         });
     }

@@ -309,7 +309,7 @@ mod tests {
         #[inline(always)]
         fn run<L: Lanes>(self) -> bool {
             let places = self.0.as_flattened();
-            let bodies = Bodies::of(vec![[0, 1, 2], [3, 4, 5]], places, &[Vec2::zeros(); 6]);
+            let bodies = Bodies::of(vec![[0, 1, 2], [3, 4, 5]], places);
             let couple = Facing::between([0, 1]).with_edges(self.1.edges);
             face_apart(&bodies, &[couple; LANES], L::splat(self.1.limit)) != 0
         }

@@ -42,6 +42,8 @@ const ROUNDS: usize = 2;
 #[derive(Clone, Copy)]
 pub(super) struct Step<'a> {
     pub bodies: &'a Bodies,
+    /// Velocities of the nodes, m/s.
+    pub velocities: &'a [Vec2],
     pub pairs: &'a PairTable,
     pub dt: f64,
     pub buffer: f64,

@@ -1,7 +1,7 @@
 //! What the triangles of couples exert on each other, four couples at a time.
 
 use super::{
-    bodies::{Triangles, velocities_of},
+    bodies::{Triangles, of_corners},
     edges::{Edges, Ends, Integrals, Pairs},
     evaluation::Step,
     facing::Facing,
@@ -186,8 +186,9 @@ impl Quartet<'_> {
             let ends = Ends { start: points[corner], end: points[NEXT[corner]] };
             integrals[corner] = ends.integrals(cut[corner]);
         }
+        let nodes = each!(4, |k| step.nodes_of(self.couples[k].bodies()));
         for t in 0..2 {
-            let velocities = velocities_of(each!(4, |k| bodies[k][t]));
+            let velocities = of_corners(step.velocities, each!(4, |k| nodes[k][t]));
             for i in 0..3 {
                 velocity[3 * t + i] = velocities[i];
                 normals[3 * t + i] = triangles[t].normal(i);
@@ -375,7 +376,7 @@ mod tests {
 
         /// Couple after couple with scalar code.
         fn one_by_one(&self) -> Outcome {
-            let bodies = Bodies::of(self.corners.clone(), &self.places, &self.velocities);
+            let bodies = Bodies::of(self.corners.clone(), &self.places);
             let shapes: Vec<_> = bodies.bodies.iter().map(|b| b.shape()).collect();
             let motion = |c: &[u32; 3]| Motion::new(c.map(|n| self.velocities[n as usize]));
             let motions: Vec<_> = self.corners.iter().map(motion).collect();
@@ -412,10 +413,11 @@ mod tests {
         #[inline(always)]
         fn run<L: Lanes>(self) -> (Outcome, u32) {
             let scene = self.0;
-            let bodies = Bodies::of(scene.corners.clone(), &scene.places, &scene.velocities);
+            let bodies = Bodies::of(scene.corners.clone(), &scene.places);
             let pairs = PairTable::of_one(PAIR);
             let step = Step {
                 bodies: &bodies,
+                velocities: &scene.velocities,
                 pairs: &pairs,
                 dt: 1e-3,
                 buffer: 0.05,

@@ -25,7 +25,7 @@ use crate::lanes::{LANES, Lanes, Mask, each};
 pub(super) const STRICT: f64 = 0.01;
 
 /// Places for the edges of a body.
-const PLACES: u32 = 8;
+const PLACES: u32 = 4;
 
 /// Which triangles are a couple, and which of their edges face each other: places of the edges of
 /// target and contactor among those of all bodies.

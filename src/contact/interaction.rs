@@ -313,7 +313,7 @@ impl Contact {
         let mut visits = std::mem::take(&mut self.visits);
         let mut evaluator = std::mem::take(&mut self.evaluator);
         let (bodies, mut couples) = visits.couples();
-        let step = self.step(bodies, dt);
+        let step = self.step(bodies, nodes, dt);
         let evaluated = evaluator.evaluate(&step, &mut couples, forces, team);
         (self.visits, self.evaluator) = (visits, evaluator);
         self.take_stock(evaluated);
@@ -332,15 +332,16 @@ impl Contact {
         self.visits.bodies.update_shapes(nodes);
         let mut visits = std::mem::take(&mut self.visits);
         let (bodies, couples) = visits.couples();
-        let (step, model) = (self.step(bodies, dt), self.settings.friction);
+        let (step, model) = (self.step(bodies, nodes, dt), self.settings.friction);
         let evaluated = evaluate_in_order(&step, couples, model, faces, tally, forces);
         self.visits = visits;
         self.take_stock(evaluated);
     }
 
-    fn step<'a>(&'a self, bodies: &'a Bodies, dt: f64) -> Step<'a> {
+    fn step<'a>(&'a self, bodies: &'a Bodies, nodes: &'a Nodes<2>, dt: f64) -> Step<'a> {
         Step {
             bodies,
+            velocities: &nodes.velocity,
             pairs: &self.pairs,
             dt,
             buffer: self.settings.buffer,

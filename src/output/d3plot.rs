@@ -14,14 +14,14 @@ use yformat::d3plot::{
 /// Writes the d3plot family, opened at the first state.
 pub struct D3plotOutput(Family);
 
-/// A state to be written.
+/// A state to be written, in the single precision of the files: it may have to wait.
 struct State {
     time: f64,
     kinetic_energy: f64,
-    coordinates: Vec<[f64; 2]>,
-    velocities: Vec<[f64; 2]>,
-    stresses: Vec<[f64; 3]>,
-    deletion_table: Vec<f64>,
+    coordinates: Vec<[f32; 2]>,
+    velocities: Vec<[f32; 2]>,
+    stresses: Vec<[f32; 3]>,
+    deletion_table: Vec<f32>,
 }
 
 impl OwnedState for State {
@@ -42,13 +42,13 @@ impl State {
     fn new(simulation: &Simulation, shown: &OpenFamily) -> Self {
         let scene = simulation.scene();
         let nodes = |values: &[nalgebra::Vector2<f64>]| {
-            values[..shown.nodes].iter().map(|v| [v.x, v.y]).collect()
+            values[..shown.nodes].iter().map(|v| [v.x as f32, v.y as f32]).collect()
         };
         let stress = |&element: &usize| {
             let stress = simulation.stresses()[element];
-            [stress[(0, 0)], stress[(1, 1)], stress[(0, 1)]]
+            [stress[(0, 0)], stress[(1, 1)], stress[(0, 1)]].map(|component| component as f32)
         };
-        let material = |&element: &usize| f64::from(material_number(scene, element));
+        let material = |&element: &usize| material_number(scene, element) as f32;
         Self {
             time: simulation.time(),
             kinetic_energy: simulation.previous_kinetic_energy(),

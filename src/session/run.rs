@@ -247,6 +247,11 @@ enum StageEnd {
     Interrupted,
 }
 
+/// What the log says of the words of some items.
+fn echo(deck: &Deck, items: Range<usize>) -> Vec<String> {
+    items.filter_map(|item| deck.echo_of(item)).collect()
+}
+
 impl<M: Model> Session<'_, M> {
     fn run_stages(
         &mut self,
@@ -254,15 +259,20 @@ impl<M: Model> Session<'_, M> {
         simulation: &mut M,
     ) -> Result<StopReason, RunError> {
         let LoadedDeck { deck, mut database, stages, .. } = loaded;
+        // let go when the last stage begins: as large as what is simulated
+        let mut deck = Some(deck);
         simulation.begin(self.options);
         // a run that goes on from a checkpoint has entered this many already
         let entered = self.here.ends.len();
+        // what the log says of the words behind the last stage, once the deck is let go
+        let mut tail = Vec::new();
         let mut read = 0;
         for (index, stage) in stages.iter().enumerate().skip(entered.saturating_sub(1)) {
+            let Some(of_deck) = &deck else { break };
             read = stage.items.end;
             let is_entered = index < entered;
             if !is_entered {
-                self.echo(&deck, stage.items.clone())?;
+                self.echo(echo(of_deck, stage.items.clone()))?;
             }
             if is_entered {
                 // its settings are in force, and its findings have been said
@@ -274,19 +284,24 @@ impl<M: Model> Session<'_, M> {
             } else {
                 let profile = self.options.profile;
                 self.here.entries.push(Entry::of(simulation));
-                let findings = restage(&deck, stage, &mut database, simulation, profile)
+                let findings = restage(of_deck, stage, &mut database, simulation, profile)
                     .and_then(|found| match simulation.mesh() {
                         Ok(()) => Ok(found),
-                        Err(e) => Err(vec![capacity_finding(&deck, &database, &e, None)]),
+                        Err(e) => Err(vec![capacity_finding(of_deck, &database, &e, None)]),
                     })
                     .map_err(|findings| {
-                        let sources = Box::new(deck.sources().clone());
+                        let sources = Box::new(of_deck.sources().clone());
                         RunError::Stage { sources, findings }
                     })?;
-                self.report_new(&findings, deck.sources())?;
+                self.report_new(&findings, of_deck.sources())?;
             }
             for writer in &mut self.writers {
-                writer.begin_stage(&deck, &database)?;
+                writer.begin_stage(of_deck, &database)?;
+            }
+            let is_last = index + 1 == stages.len();
+            if is_last {
+                tail = echo(of_deck, read..of_deck.items().len());
+                deck = None;
             }
             if !is_entered {
                 self.here.ends.push(database.integer("YDC/MCSTEP"));
@@ -300,7 +315,6 @@ impl<M: Model> Session<'_, M> {
                 self.started = Instant::now();
             }
             let end = self.run_stage(simulation)?;
-            let is_last = index + 1 == stages.len();
             if self.checkpoints.at_end && (end != StageEnd::Done || is_last) {
                 self.write_checkpoint(simulation)?;
             }
@@ -310,7 +324,8 @@ impl<M: Model> Session<'_, M> {
                 StageEnd::Interrupted => return Ok(StopReason::Interrupted),
             }
         }
-        self.echo(&deck, read..deck.items().len())?;
+        let rest = deck.map_or(tail, |deck| echo(&deck, read..deck.items().len()));
+        self.echo(rest)?;
         Ok(StopReason::Finished)
     }
 
@@ -331,9 +346,9 @@ impl<M: Model> Session<'_, M> {
         Ok(())
     }
 
-    /// Writes the words of some items to the log.
-    fn echo(&mut self, deck: &Deck, items: Range<usize>) -> Result<(), OutputError> {
-        items.filter_map(|item| deck.echo_of(item)).try_for_each(|line| self.log.line(&line))
+    /// Writes lines to the log.
+    fn echo(&mut self, lines: Vec<String>) -> Result<(), OutputError> {
+        lines.iter().try_for_each(|line| self.log.line(line))
     }
 
     fn run_stage(&mut self, simulation: &mut M) -> Result<StageEnd, RunError> {

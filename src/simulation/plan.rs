@@ -31,6 +31,7 @@ pub(super) struct Batch {
     pub kind: ElementKind,
     pub elasticity: Elasticity,
     pub law: StressLaw,
+    /// None where domains have taken them over.
     pub triangles: Vec<PlannedTriangle>,
 }
 
@@ -93,7 +94,7 @@ pub(super) struct Plan {
     pub probes: Vec<PlannedProbe>,
     /// Nodes at the place of a force probe.
     pub force_probes: Vec<(usize, u32)>,
-    /// Mass that elastic triangles give the nodes.
+    /// Mass that elastic triangles give the nodes; none once it is taken over and does not change.
     pub nodal_mass: Vec<f64>,
     /// Whether softening or rigid triangles change the masses during a step.
     pub masses_change: bool,
@@ -104,6 +105,22 @@ pub(super) struct Plan {
 }
 
 impl Plan {
+    /// Forgets masses that stay as they are, and the triangles that domains have taken over, where
+    /// nobody else asks for them.
+    pub fn forget_divided(&mut self) {
+        if !self.masses_change {
+            self.nodal_mass = Vec::new();
+        }
+        if self.excavates || !self.strain_energy_probes.is_empty() {
+            return;
+        }
+        for batch in &mut self.batches {
+            if batch.kind == ElementKind::ElasticTriangle {
+                batch.triangles = Vec::new();
+            }
+        }
+    }
+
     pub fn new(scene: &Scene) -> Self {
         let mut plan = Self { nodal_mass: vec![0.0; scene.nodes.len()], ..Self::default() };
         match scene.conventions.forces {

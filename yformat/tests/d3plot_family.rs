@@ -12,16 +12,16 @@ const DATE: StartDate = StartDate { day: 27, month: 7, year: 2021 };
 
 /// A strip of triangles with a state for every instant.
 struct Scene {
-    coordinates: Vec<[f64; 2]>,
-    stresses: Vec<[f64; 3]>,
-    materials: Vec<f64>,
+    coordinates: Vec<[f32; 2]>,
+    stresses: Vec<[f32; 3]>,
+    materials: Vec<f32>,
 }
 
 impl Scene {
     fn new(nodes: u16, elements: u16) -> Self {
         Self {
-            coordinates: (0..nodes).map(|n| [f64::from(n), 0.5]).collect(),
-            stresses: (0..elements).map(|e| [f64::from(e), 1.0, 0.1]).collect(),
+            coordinates: (0..nodes).map(|n| [f32::from(n), 0.5]).collect(),
+            stresses: (0..elements).map(|e| [f32::from(e), 1.0, 0.1]).collect(),
             materials: vec![1.0; usize::from(elements)],
         }
     }

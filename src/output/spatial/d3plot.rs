@@ -21,15 +21,15 @@ use yformat::d3plot::{
 /// Writes the d3plot family, opened at the first state.
 pub struct SpatialD3plotOutput(Family);
 
-/// A state to be written.
+/// A state to be written, in the single precision of the files: it may have to wait.
 struct State {
     time: f64,
     kinetic_energy: f64,
-    coordinates: Vec<[f64; 3]>,
-    velocities: Vec<[f64; 3]>,
-    joint_forces: Vec<[f64; 3]>,
-    stresses: Vec<[f64; 6]>,
-    deletion_table: Vec<f64>,
+    coordinates: Vec<[f32; 3]>,
+    velocities: Vec<[f32; 3]>,
+    joint_forces: Vec<[f32; 3]>,
+    stresses: Vec<[f32; 6]>,
+    deletion_table: Vec<f32>,
 }
 
 impl OwnedState for State {
@@ -49,12 +49,16 @@ impl OwnedState for State {
 impl State {
     fn new(simulation: &SpatialSimulation, shown: &OpenFamily) -> Self {
         let scene = simulation.scene();
-        let nodes = |values: &[Vec3]| values[..shown.nodes].iter().map(|&v| v.into()).collect();
+        let nodes = |values: &[Vec3]| {
+            let single = |v: &Vec3| [v.x as f32, v.y as f32, v.z as f32];
+            values[..shown.nodes].iter().map(single).collect()
+        };
         let stress = |&element: &usize| {
             let s = simulation.stress(element);
             [s[(0, 0)], s[(1, 1)], s[(2, 2)], s[(0, 1)], s[(1, 2)], s[(0, 2)]]
+                .map(|component| component as f32)
         };
-        let material = |&element: &usize| f64::from(material_number(scene, element));
+        let material = |&element: &usize| material_number(scene, element) as f32;
         Self {
             time: simulation.time(),
             kinetic_energy: simulation.previous_kinetic_energy(),

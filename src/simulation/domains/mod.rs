@@ -167,12 +167,14 @@ impl Simulation {
     /// and however many threads there are. Results are the same to the last bit.
     pub fn divide_into(&mut self, parts: usize) {
         self.parts = Some(parts);
+        self.plan = Plan::new(&self.scene);
         self.divide();
     }
 
     pub(super) fn divide(&mut self) {
         let threads = self.options.team.size();
         self.domains = Domains::new(&self.scene, &self.plan, &self.strength, self.parts, threads);
+        self.plan.forget_divided();
     }
 
     /// Adds the forces of some phases that domains can do.

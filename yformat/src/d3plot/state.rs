@@ -23,7 +23,7 @@ pub struct State {
     pub deletion_table: Vec<f32>,
 }
 
-/// A state about to be written, borrowed from the arrays of a computation.
+/// A state about to be written, in the single precision of the format.
 #[derive(Debug, Clone, Copy)]
 pub struct StateView<'a> {
     /// Time.
@@ -39,7 +39,7 @@ pub struct StateView<'a> {
     /// Stresses of the elements in the order of the geometry.
     pub stresses: Stresses<'a>,
     /// One value per element: its material, 0 for a broken joint.
-    pub deletion_table: &'a [f64],
+    pub deletion_table: &'a [f32],
 }
 
 /// One vector per node.
@@ -48,9 +48,9 @@ pub enum NodeVectors<'a> {
     /// Zero everywhere.
     Zero,
     /// Two components per node; the third is 0.
-    Plane(&'a [[f64; 2]]),
+    Plane(&'a [[f32; 2]]),
     /// Three components per node.
-    Spatial(&'a [[f64; 3]]),
+    Spatial(&'a [[f32; 3]]),
 }
 
 /// One stress per element.
@@ -59,9 +59,9 @@ pub enum Stresses<'a> {
     /// Zero everywhere.
     Zero,
     /// σxx σyy σxy per element; the other components are 0.
-    Plane(&'a [[f64; 3]]),
+    Plane(&'a [[f32; 3]]),
     /// σxx σyy σzz σxy σyz σxz per element.
-    Spatial(&'a [[f64; 6]]),
+    Spatial(&'a [[f32; 6]]),
 }
 
 impl NodeVectors<'_> {

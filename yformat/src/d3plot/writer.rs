@@ -3,6 +3,7 @@
 use std::io::{self, Write as _};
 use std::path::{Path, PathBuf};
 
+use super::blocks::Blocks;
 use super::control::ControlBlock;
 use super::encode;
 use super::error::WriteError;
@@ -17,7 +18,7 @@ use crate::part_file::{Mark, PartFile};
 /// Every file is written as `<name>.part` beside its final place and renamed when it is
 /// complete: at the roll-over to the next file, or by [`FamilyWriter::finish`]. A run that dies
 /// leaves the last file under its `.part` name, whole states only as far as the operating
-/// system took them. Each state is one write, from one buffer that is kept.
+/// system took them. Each state is written block by block, from one buffer that is kept.
 #[derive(Debug)]
 pub struct FamilyWriter {
     first: PathBuf,
@@ -28,7 +29,7 @@ pub struct FamilyWriter {
     member: u32,
     states_in_file: u64,
     completed: Vec<PathBuf>,
-    buffer: Vec<u8>,
+    block: Vec<u8>,
 }
 
 /// How far a family was written: enough for another run to go on from there.
@@ -65,10 +66,13 @@ impl FamilyWriter {
         states_per_file: u64,
     ) -> Result<Self, WriteError> {
         let layout = StateLayout::new(&control)?;
-        let mut buffer = control.to_bytes().to_vec();
-        encode::geometry(&mut buffer, &layout, geometry)?;
+        encode::check_geometry(&layout, geometry)?;
         let mut file = PartFile::create(path).map_err(WriteError::io(path))?;
-        file.write_all(&buffer).map_err(WriteError::io(path))?;
+        let mut block = Vec::new();
+        let mut out = Blocks::new(&mut file, &mut block);
+        out.put_all(&control.to_bytes());
+        encode::geometry(&mut out, geometry);
+        out.finish().map_err(WriteError::io(path))?;
         Ok(Self {
             first: path.to_path_buf(),
             control,
@@ -78,7 +82,7 @@ impl FamilyWriter {
             member: 0,
             states_in_file: 0,
             completed: Vec::new(),
-            buffer,
+            block,
         })
     }
 
@@ -113,7 +117,7 @@ impl FamilyWriter {
             member: mark.member,
             states_in_file: mark.states_in_file,
             completed,
-            buffer: Vec::new(),
+            block: Vec::new(),
         })
     }
 
@@ -130,16 +134,15 @@ impl FamilyWriter {
     /// Appends a state, rounded to single precision. A state with arrays of wrong lengths is
     /// refused and nothing of it is written.
     pub fn write_state(&mut self, state: &StateView<'_>) -> Result<(), WriteError> {
-        self.buffer.clear();
-        encode::view(&mut self.buffer, &self.layout, state)?;
-        self.append()
+        encode::check_view(&self.layout, state)?;
+        let layout = self.layout;
+        self.append(|out| encode::view(out, &layout, state))
     }
 
     /// Appends a state as it was read from another family, bit for bit.
     pub fn copy_state(&mut self, state: &State) -> Result<(), WriteError> {
-        self.buffer.clear();
-        encode::recorded(&mut self.buffer, &self.layout, state)?;
-        self.append()
+        encode::check_recorded(&self.layout, state)?;
+        self.append(|out| encode::recorded(out, state))
     }
 
     /// Completes the last file.
@@ -152,12 +155,14 @@ impl FamilyWriter {
         Ok(Finished { files: self.completed, stale })
     }
 
-    /// Writes the record in the buffer, in the next file when this one is full.
-    fn append(&mut self) -> Result<(), WriteError> {
+    /// Writes a record, in the next file when this one is full.
+    fn append(&mut self, encode: impl FnOnce(&mut Blocks<'_>)) -> Result<(), WriteError> {
         if self.states_in_file == self.states_per_file {
             self.roll_over()?;
         }
-        self.file.write_all(&self.buffer).map_err(WriteError::io(self.file.temporary_path()))?;
+        let mut out = Blocks::new(&mut self.file, &mut self.block);
+        encode(&mut out);
+        out.finish().map_err(WriteError::io(self.file.temporary_path()))?;
         self.states_in_file += 1;
         Ok(())
     }
