@@ -110,7 +110,7 @@ impl Step<'_> {
     pub fn ask_later(&self, facing: &mut Facing, respites: &mut RespitesMut<'_>, index: usize) {
         if respites.ask[index] <= self.evaluation {
             self.ask(facing, respites, index);
-        } else if (self.evaluation + index as u32).is_multiple_of(PATIENCE_FACING) {
+        } else if self.evaluation.wrapping_add(facing.turn()).is_multiple_of(PATIENCE_FACING) {
             self.face(facing, respites, index);
         }
     }
