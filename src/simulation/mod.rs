@@ -39,6 +39,7 @@ use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
 use phases::{Phase, PhaseClock};
 use plan::Plan;
+pub(crate) use plan::stress_law;
 use std::ops::Range;
 
 pub use classic_joints::ClassicJoints;
