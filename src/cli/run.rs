@@ -9,7 +9,7 @@ use crate::{
     scene::{PressedFaces, Profile, SpatialContact},
     session::{
         Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
-        ScenarioError, StopReason, deck_of_scenario, load, run_with,
+        ScenarioError, StopReason, Watch, deck_of_scenario, load, run_with,
     },
     simulation::{AnySimulation, SettlingFault, SettlingOptions, SolverOptions},
     team::Team,
@@ -76,6 +76,12 @@ pub(super) struct RunArguments {
     #[arg(long = "monitor-every", value_name = "N",
           value_parser = clap::value_parser!(u64).range(1..))]
     monitor_interval: Option<u64>,
+    /// Watch where the energy is and where it goes: BASE.energy.csv with a line every N steps
+    /// [default: 100], the balance and its error in the summary. Takes about as long as the steps
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true,
+          default_missing_value = "100", value_parser = clap::value_parser!(u64).range(1..),
+          conflicts_with = "resume")]
+    energy: Option<u64>,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
     #[arg(long, conflicts_with = "resume")]
@@ -183,6 +189,10 @@ impl RunArguments {
         Ok((made.path, made.monitors))
     }
 
+    fn watch(&self) -> Watch {
+        Watch { energy_interval: self.energy }
+    }
+
     /// What is watched: the scenario's monitors, then those of the command line.
     fn plan(&self, of_scenario: MonitorPlan) -> MonitorPlan {
         let mut plan = of_scenario;
@@ -275,6 +285,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         steps: arguments.steps,
         legacy_d3plot: settings.legacy_d3plot,
         monitors: arguments.plan(scenario_monitors),
+        watch: arguments.watch(),
         profile: settings.profile,
         settling: arguments.settling(),
     };

@@ -96,6 +96,12 @@ impl OutputNames {
         self.folder.join(format!("{}.monitors.csv", self.base))
     }
 
+    /// Table of energies.
+    #[must_use]
+    pub fn energy(&self) -> PathBuf {
+        self.folder.join(format!("{}.energy.csv", self.base))
+    }
+
     /// The run's log.
     #[must_use]
     pub fn log(&self) -> PathBuf {

@@ -17,7 +17,7 @@ pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
 pub use load::{DeckFault, LoadedDeck, load};
 pub use model::SceneSize;
 pub use observer::{Observer, Progress, Silent};
-pub use run::{RunError, RunOptions, run, run_with};
+pub use run::{RunError, RunOptions, Watch, run, run_with};
 pub use scenario::{
     ScenarioDeck, ScenarioError, deck_of_scenario, monitors, write as write_generated,
 };

@@ -48,10 +48,19 @@ pub struct RunOptions {
     pub legacy_d3plot: bool,
     /// What is watched during the run.
     pub monitors: MonitorPlan,
+    /// What is looked after during the run.
+    pub watch: Watch,
     /// Program followed for later stages of the deck.
     pub profile: Profile,
     /// Whether the scene is brought to rest before its first step, and when it counts as settled.
     pub settling: Option<SettlingOptions>,
+}
+
+/// What is looked after during a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Watch {
+    /// Steps between two lines of the table of energies, if there is one.
+    pub energy_interval: Option<u64>,
 }
 
 /// Why a run failed.
@@ -461,6 +470,7 @@ impl<M: Model> Session<'_, M> {
         let triangle_steps = self.here.triangle_steps + self.triangle_steps;
         let mut files = Vec::new();
         let mut failure = self.background.wait().err();
+        let energy = self.writers.iter().find_map(|writer| writer.energy());
         for writer in self.writers {
             match writer.finish() {
                 Ok(finished) => files.extend(finished),
@@ -489,6 +499,7 @@ impl<M: Model> Session<'_, M> {
             couples_evaluated: work.evaluated,
             couples_rested: work.rested,
             phases: simulation.phases(),
+            energy,
             files,
             ..empty_summary(self.options, self.warnings)
         };
@@ -554,6 +565,7 @@ fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
         couples_rested: 0,
         settling: None,
         phases: None,
+        energy: None,
         resumed_at: None,
         warnings,
         files: Vec::new(),

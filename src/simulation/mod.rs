@@ -3,6 +3,7 @@
 //! After [`Simulation::prepare`] one step is [`Simulation::evaluate_forces`], then output of the state that
 //! belongs to those forces, then [`Simulation::advance`].
 
+mod audit;
 mod classic_joints;
 mod contact_step;
 mod disjoint;
@@ -42,6 +43,7 @@ use plan::Plan;
 pub(crate) use plan::stress_law;
 use std::ops::Range;
 
+pub use audit::{EnergyBalance, PlaneAudit, SpaceAudit};
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};

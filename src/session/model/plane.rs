@@ -64,7 +64,7 @@ impl Model for Simulation {
     }
 
     fn begin(&mut self, options: &RunOptions) {
-        if options.monitors.needs_contact_forces() {
+        if options.monitors.needs_contact_forces() || options.watch.energy_interval.is_some() {
             self.watch_contact_forces();
         }
         self.keep_stresses(StressUse::OutputSteps);
