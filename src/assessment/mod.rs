@@ -84,28 +84,12 @@ pub fn assess(loaded: &LoadedDeck) -> Option<Assessment> {
         with_joints_s: finite(limits.joints_s),
         with_contacts_s: finite(limits.contact_s),
         of_viscosity_s: finite(limits.viscosity_s),
-        set_by: limits
-            .set_by
-            .map(|c| format!("{} ({:.0} % of it)", in_words(c.part), 100.0 * c.share)),
+        set_by: limits.set_by.map(|c| format!("{} ({:.0} % of it)", c.part, 100.0 * c.share)),
         place_m: culprit.and_then(|share| facts.place_of(element_of(share))),
         resources: Resources::of(simulation, &facts),
         sets: facts.sets,
         findings,
     })
-}
-
-/// `the viscosity of element 12`.
-fn in_words(share: Share) -> String {
-    let of = |part: Part| match part {
-        Part::Element(e) => format!("element {e}"),
-        Part::Joint(e) => format!("joint {e}"),
-        Part::Contact([a, b]) => format!("the contact of elements {a} and {b}"),
-        Part::Impact(e) => format!("contact with element {e}"),
-    };
-    match share {
-        Share::Stiffness(part) => of(part),
-        Share::Viscosity(part) => format!("the viscosity of {}", of(part)),
-    }
 }
 
 fn element_of(share: Share) -> usize {

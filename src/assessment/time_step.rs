@@ -1,6 +1,6 @@
 //! The time step against the critical one.
 
-use super::{Facts, Places, below, element_of, in_words};
+use super::{Facts, Places, below, element_of};
 use crate::{
     bench::work_precision::recommendations::{TIME_STEP_AT_REST, TIME_STEP_IN_MOTION},
     stability::Limits,
@@ -24,7 +24,7 @@ pub(super) fn judge(
             let at: Vec<String> = at.iter().map(|x| format!("{x:.4}")).collect();
             format!(" at ({})", at.join(", "))
         });
-        format!(", which {}{at} sets", in_words(culprit.part))
+        format!(", which {}{at} sets", culprit.part)
     });
     if dt > critical {
         findings.push(

@@ -8,8 +8,8 @@ use crate::{
     output::{Monitor, MonitorPlan, OutputError, OutputNames},
     scene::{PressedFaces, Profile, SpatialContact},
     session::{
-        Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
-        ScenarioError, StopReason, Watch, deck_of_scenario, load, run_with,
+        Checkpoint, CheckpointError, Checkpoints, Format, OnInstability, RunError, RunOptions,
+        RunSettings, ScenarioError, StopReason, Watch, deck_of_scenario, load, run_with,
     },
     simulation::{AnySimulation, SettlingFault, SettlingOptions, SolverOptions},
     team::Team,
@@ -82,6 +82,12 @@ pub(super) struct RunArguments {
           default_missing_value = "100", value_parser = clap::value_parser!(u64).range(1..),
           conflicts_with = "resume")]
     energy: Option<u64>,
+    /// What to do when the motion makes no sense any more (no numbers, elements inside out, nodes ten
+    /// times as fast as waves, energies off by a tenth with --energy): say so and go on, or stop at
+    /// the first such step with a state and a checkpoint just before it
+    /// [default: say so, and stop when there are no numbers]
+    #[arg(long, value_enum, value_name = "WHAT")]
+    on_instability: Option<InstabilityName>,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
     #[arg(long, conflicts_with = "resume")]
@@ -124,6 +130,15 @@ impl From<ProfileName> for Profile {
             ProfileName::Source => Self::Source,
         }
     }
+}
+
+/// What to do about instability.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum InstabilityName {
+    /// Say so once and go on
+    Warn,
+    /// Stop at the first step that makes no sense
+    Stop,
 }
 
 /// Laws of contact of tetrahedra.
@@ -190,7 +205,14 @@ impl RunArguments {
     }
 
     fn watch(&self) -> Watch {
-        Watch { energy_interval: self.energy }
+        Watch {
+            energy_interval: self.energy,
+            on_instability: match self.on_instability {
+                None => OnInstability::EndLate,
+                Some(InstabilityName::Warn) => OnInstability::Warn,
+                Some(InstabilityName::Stop) => OnInstability::Stop,
+            },
+        }
     }
 
     /// What is watched: the scenario's monitors, then those of the command line.
@@ -330,7 +352,9 @@ fn report_failure(error: &RunError) -> Exit {
         RunError::Output(_) => Exit::Output,
         RunError::Settling(SettlingFault::Tolerance(_)) => Exit::Usage,
         RunError::Settling(SettlingFault::Refused(_)) => Exit::Input,
-        RunError::Unstable { .. } | RunError::Settling(_) => Exit::Unstable,
+        RunError::Unstable { .. } | RunError::Instability { .. } | RunError::Settling(_) => {
+            Exit::Unstable
+        }
         RunError::Stage { .. } | RunError::Checkpoint(_) => Exit::Input,
     }
 }

@@ -126,6 +126,18 @@ impl OutputNames {
         self.folder.join(format!("{}.state_{steps}.txt", self.base))
     }
 
+    /// Full-precision state just before a run became unstable.
+    #[must_use]
+    pub fn unstable_state(&self) -> PathBuf {
+        self.folder.join(format!("{}.unstable.state.txt", self.base))
+    }
+
+    /// Checkpoint just before a run became unstable.
+    #[must_use]
+    pub fn unstable_checkpoint(&self) -> PathBuf {
+        self.folder.join(format!("{}.unstable.checkpoint", self.base))
+    }
+
     /// Checkpoint that a later run can go on from.
     #[must_use]
     pub fn checkpoint(&self) -> PathBuf {

@@ -2,6 +2,7 @@
 //! stages, and gives every output writer what it asks for.
 
 mod checkpoint;
+mod guard;
 mod load;
 mod model;
 mod observer;
@@ -14,6 +15,7 @@ mod summary;
 mod writers;
 
 pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
+pub use guard::OnInstability;
 pub use load::{DeckFault, LoadedDeck, load};
 pub use model::SceneSize;
 pub use observer::{Observer, Progress, Silent};

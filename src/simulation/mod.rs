@@ -15,6 +15,7 @@ mod extra_loads;
 mod fracture;
 mod fracture_lines;
 mod free_motion;
+mod guard;
 mod joint_forces;
 mod joint_records;
 mod motion;
@@ -46,6 +47,7 @@ use std::ops::Range;
 pub use audit::{EnergyBalance, PlaneAudit, SpaceAudit};
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
+pub use guard::{Trouble, Wrong};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
 pub use phases::PhaseTimes;
 pub use settling::{

@@ -1,5 +1,7 @@
 //! Masses, stiffness and viscosity of a scene at rest in its present shape.
 
+use std::fmt;
+
 use nalgebra::{DMatrix, SMatrix, SVector};
 
 /// What a part of the system is.
@@ -238,6 +240,26 @@ pub enum Share {
     Stiffness(Part),
     /// By its viscosity.
     Viscosity(Part),
+}
+
+impl fmt::Display for Share {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Stiffness(part) => write!(f, "{part}"),
+            Self::Viscosity(part) => write!(f, "the viscosity of {part}"),
+        }
+    }
+}
+
+impl fmt::Display for Part {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Element(e) => write!(f, "element {e}"),
+            Self::Joint(e) => write!(f, "joint {e}"),
+            Self::Contact([a, b]) => write!(f, "the contact of elements {a} and {b}"),
+            Self::Impact(e) => write!(f, "contact with element {e}"),
+        }
+    }
 }
 
 /// Stiffness and viscosity of one element.

@@ -14,6 +14,7 @@ mod plane;
 mod space;
 pub(super) mod strain;
 
+pub(super) use overlap_energy::potential as overlap_potential;
 pub use plane::PlaneAudit;
 pub use space::SpaceAudit;
 

@@ -5,7 +5,7 @@ use crate::mechanics::Vec2;
 /// ∫ (φ_A + φ_B) dA over what two triangles have in common, m²: by the penalty it is the energy
 /// whose change their normal forces do. φ is three times the smallest area coordinate, linear in
 /// each of the three triangles that the centroid makes with the edges.
-pub(super) fn potential(a: &[Vec2; 3], b: &[Vec2; 3]) -> f64 {
+pub(in crate::simulation) fn potential(a: &[Vec2; 3], b: &[Vec2; 3]) -> f64 {
     let mut common = a.to_vec();
     for k in 0..3 {
         common = cut(&common, b[k], b[(k + 1) % 3]);
