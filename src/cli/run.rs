@@ -77,7 +77,7 @@ pub(super) struct RunArguments {
           value_parser = clap::value_parser!(u64).range(1..))]
     monitor_interval: Option<u64>,
     /// Watch where the energy is and where it goes: BASE.energy.csv with a line every N steps
-    /// [default: 100], the balance and its error in the summary. Takes about as long as the steps
+    /// [default: 100], the balance and its error in the summary. Up to ten times slower
     #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true,
           default_missing_value = "100", value_parser = clap::value_parser!(u64).range(1..),
           conflicts_with = "resume")]

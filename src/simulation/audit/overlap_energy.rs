@@ -6,6 +6,9 @@ use crate::mechanics::Vec2;
 /// whose change their normal forces do. φ is three times the smallest area coordinate, linear in
 /// each of the three triangles that the centroid makes with the edges.
 pub(in crate::simulation) fn potential(a: &[Vec2; 3], b: &[Vec2; 3]) -> f64 {
+    if are_apart(a, b) {
+        return 0.0;
+    }
     let mut common = a.to_vec();
     for k in 0..3 {
         common = cut(&common, b[k], b[(k + 1) % 3]);
@@ -14,6 +17,18 @@ pub(in crate::simulation) fn potential(a: &[Vec2; 3], b: &[Vec2; 3]) -> f64 {
         }
     }
     [a, b].iter().map(|triangle| over(triangle, &common)).sum()
+}
+
+/// Whether an edge of either triangle separates them: then they have nothing in common, and exert
+/// nothing on each other.
+pub(super) fn are_apart(a: &[Vec2; 3], b: &[Vec2; 3]) -> bool {
+    let separates = |edges: &[Vec2; 3], corners: &[Vec2; 3]| {
+        (0..3).any(|k| {
+            let (p, q) = (edges[k], edges[(k + 1) % 3]);
+            corners.iter().all(|&c| cross(p, q, c) <= 0.0)
+        })
+    };
+    separates(a, b) || separates(b, a)
 }
 
 /// ∫ φ of one triangle over a polygon within it.
@@ -71,6 +86,15 @@ mod tests {
         let twice = potential(&unit, &unit);
         assert!((twice - 2.0 * 0.5 / 3.0).abs() < 1e-15, "{twice}");
         let apart = unit.map(|p| p + Vec2::new(2.0, 0.0));
+        assert!(are_apart(&unit, &apart));
         assert_eq!(potential(&unit, &apart), 0.0);
+        let beside = [Vec2::new(1.0, 0.0), Vec2::new(1.0, 1.0), Vec2::new(0.0, 1.0)];
+        assert!(are_apart(&unit, &beside));
+        let into = beside.map(|p| p - Vec2::new(1e-6, 1e-6));
+        assert!(!are_apart(&unit, &into));
+        // the edges are √2 long and √2 · 1e-6 deep in each other, both heights are 1/√2
+        let depth = 2f64.sqrt() * 1e-6;
+        let expected = 2.0 * 2f64.sqrt() * 3.0 * depth * depth / 2.0 * 2f64.sqrt();
+        assert!((potential(&unit, &into) / expected - 1.0).abs() < 1e-5);
     }
 }

@@ -174,6 +174,9 @@ fn contacts(
         let pair: PairProperties = *pairs.properties(along.unwrap_or(rank));
         let nodes = [target, contactor].map(|e| scene.elements.corners::<3>(e));
         let corners = nodes.map(|nodes| nodes.map(|n| scene.nodes.current[n]));
+        if overlap_energy::are_apart(&corners[0], &corners[1]) {
+            continue;
+        }
         overlaps += pair.penalty * overlap_energy::potential(&corners[0], &corners[1]);
         if !has_friction {
             continue;
