@@ -7,6 +7,7 @@
 //! All quantities are in one consistent unit system chosen by the deck (SI in
 //! every example); 2D bodies have unit thickness.
 
+pub mod assessment;
 pub mod bench;
 pub mod cli;
 pub mod contact;
@@ -18,6 +19,7 @@ pub mod output;
 pub mod scene;
 pub mod session;
 pub mod simulation;
+pub mod stability;
 pub mod team;
 
 /// The absolute tolerance of the original program: lengths, areas, masses and

@@ -148,8 +148,10 @@ fn the_legacy_d3plot_differs_in_its_header_only() {
 fn a_check_says_what_a_deck_holds_and_writes_nothing() {
     let work = Workplace::new(&[]);
     let finished = work.ypsilon(&["check", "deck.y"]);
-    assert_eq!(finished.code, Some(0));
-    assert_eq!(finished.stdout, "deck.y: 1 stage, 10 nodes, 2 triangles, 1 joint: ready to run\n");
+    // its joints are soft
+    assert_eq!(finished.code, Some(5));
+    let holds = "deck.y: 1 stage, 10 nodes, 2 triangles, 1 joint: ready to run\n";
+    assert!(finished.stdout.starts_with(holds), "{}", finished.stdout);
     assert_eq!(work.files("."), names(&["deck.y"]));
 }
 

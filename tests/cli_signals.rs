@@ -78,7 +78,7 @@ fn a_closed_pipe_ends_no_run() {
 #[test]
 fn messages_into_a_closed_pipe_panic_not() {
     for (arguments, code) in
-        [(&["no-deck.y"][..], 1), (&["check", "deck.y"], 0), (&["convert", "deck.y"], 1)]
+        [(&["no-deck.y"][..], 1), (&["check", "deck.y"], 5), (&["convert", "deck.y"], 1)]
     {
         let folder = TempDir::new().expect("a temporary folder");
         let mut child = start(&folder, "MCSTEP 20", arguments);

@@ -102,6 +102,7 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
         steps: None,
         legacy_d3plot: true,
         monitors: Default::default(),
+        watch: Default::default(),
         profile,
         settling: None,
     };

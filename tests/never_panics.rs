@@ -77,6 +77,7 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
         steps: Some(3),
         legacy_d3plot: false,
         monitors: Default::default(),
+        watch: Default::default(),
         profile: Profile::default(),
         settling: None,
     };

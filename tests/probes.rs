@@ -143,6 +143,7 @@ fn results(name: &str) -> BTreeMap<String, Vec<u8>> {
         steps: None,
         legacy_d3plot: true,
         monitors: Default::default(),
+        watch: Default::default(),
         profile: Profile::Windows,
         settling: None,
     };

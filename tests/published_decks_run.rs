@@ -80,6 +80,7 @@ fn published_decks_run() {
             steps: Some(STEPS),
             legacy_d3plot: false,
             monitors: Default::default(),
+            watch: Default::default(),
             profile: Profile::default(),
             settling: None,
         };

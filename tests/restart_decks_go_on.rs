@@ -24,6 +24,7 @@ fn state(deck: &Path, folder: &Path, steps: u64) -> StateFile {
         steps: None,
         legacy_d3plot: false,
         monitors: Default::default(),
+        watch: Default::default(),
         profile: Profile::default(),
         settling: None,
     };

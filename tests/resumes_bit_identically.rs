@@ -207,6 +207,7 @@ impl Runner {
             steps,
             legacy_d3plot: false,
             monitors: Default::default(),
+            watch: Default::default(),
             profile: Profile::default(),
             settling: None,
         };

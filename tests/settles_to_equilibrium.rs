@@ -311,6 +311,7 @@ impl Folder {
             steps: Some(steps),
             legacy_d3plot: false,
             monitors: Default::default(),
+            watch: Default::default(),
             profile: Profile::default(),
             settling: None,
         }

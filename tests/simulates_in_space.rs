@@ -170,6 +170,7 @@ fn options(deck: &Path, folder: &Path, steps: Option<u64>) -> RunOptions {
         steps,
         legacy_d3plot: false,
         monitors: Default::default(),
+        watch: Default::default(),
         profile: Profile::default(),
         settling: None,
     }

@@ -65,6 +65,7 @@ impl Run {
             steps: None,
             legacy_d3plot: true,
             monitors: Default::default(),
+            watch: Default::default(),
             profile: Profile::default(),
             settling: None,
         };

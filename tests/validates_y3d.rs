@@ -407,6 +407,7 @@ fn ten_node_tetrahedra_are_written_as_such() {
         steps: None,
         legacy_d3plot: false,
         monitors: Default::default(),
+        watch: Default::default(),
         profile: Profile::default(),
         settling: None,
     };

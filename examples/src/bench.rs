@@ -193,6 +193,7 @@ impl Bench {
             steps: None,
             legacy_d3plot: false,
             monitors: session::monitors(scenario, &deck)?,
+            watch: Default::default(),
             profile: Profile::default(),
             settling: None,
         };

@@ -82,6 +82,7 @@ pub fn work(work: &Work, team: Team) -> Result<Measurement, BenchError> {
         legacy_d3plot: false,
         settling: None,
         monitors: MonitorPlan::default(),
+        watch: Default::default(),
         profile: Profile::default(),
     };
     let summary = run(loaded, &options, &mut Silent)?;

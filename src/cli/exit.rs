@@ -23,6 +23,8 @@ pub enum Exit {
     Output = 3,
     /// The run became unstable, or did not come to rest with `--settle`.
     Unstable = 4,
+    /// A deck that was checked runs, but there are warnings.
+    Doubtful = 5,
     /// The user interrupted the run.
     Interrupted = 130,
 }

@@ -40,6 +40,7 @@ enum Command {
     #[command(after_help = exit::HELP)]
     Run(run::RunArguments),
     /// Check a deck without running it
+    #[command(after_help = check::HELP)]
     Check(check::CheckArguments),
     /// Convert results to VTU, PVD and CSV, meshes to decks, decks to other dialects
     #[command(after_help = convert::HELP)]

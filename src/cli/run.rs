@@ -8,8 +8,8 @@ use crate::{
     output::{Monitor, MonitorPlan, OutputError, OutputNames},
     scene::{PressedFaces, Profile, SpatialContact},
     session::{
-        Checkpoint, CheckpointError, Checkpoints, Format, RunError, RunOptions, RunSettings,
-        ScenarioError, StopReason, deck_of_scenario, load, run_with,
+        Checkpoint, CheckpointError, Checkpoints, Format, OnInstability, RunError, RunOptions,
+        RunSettings, ScenarioError, StopReason, Watch, deck_of_scenario, load, run_with,
     },
     simulation::{AnySimulation, SettlingFault, SettlingOptions, SolverOptions},
     team::Team,
@@ -76,6 +76,18 @@ pub(super) struct RunArguments {
     #[arg(long = "monitor-every", value_name = "N",
           value_parser = clap::value_parser!(u64).range(1..))]
     monitor_interval: Option<u64>,
+    /// Watch where the energy is and where it goes: BASE.energy.csv with a line every N steps
+    /// [default: 100], the balance and its error in the summary. Up to ten times slower
+    #[arg(long, value_name = "N", num_args = 0..=1, require_equals = true,
+          default_missing_value = "100", value_parser = clap::value_parser!(u64).range(1..),
+          conflicts_with = "resume")]
+    energy: Option<u64>,
+    /// What to do when the motion makes no sense any more (no numbers, elements inside out, nodes ten
+    /// times as fast as waves, energies off by a tenth with --energy): say so and go on, or stop at
+    /// the first such step with a state and a checkpoint just before it
+    /// [default: say so, and stop when there are no numbers]
+    #[arg(long, value_enum, value_name = "WHAT")]
+    on_instability: Option<InstabilityName>,
     /// Write the d3plot header exactly as the original did (today's readers
     /// other than LS-PrePost refuse it)
     #[arg(long, conflicts_with = "resume")]
@@ -118,6 +130,15 @@ impl From<ProfileName> for Profile {
             ProfileName::Source => Self::Source,
         }
     }
+}
+
+/// What to do about instability.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
+pub(super) enum InstabilityName {
+    /// Say so once and go on
+    Warn,
+    /// Stop at the first step that makes no sense
+    Stop,
 }
 
 /// Laws of contact of tetrahedra.
@@ -181,6 +202,17 @@ impl RunArguments {
             made.generated.report().iter().for_each(|line| say(line));
         }
         Ok((made.path, made.monitors))
+    }
+
+    fn watch(&self) -> Watch {
+        Watch {
+            energy_interval: self.energy,
+            on_instability: match self.on_instability {
+                None => OnInstability::EndLate,
+                Some(InstabilityName::Warn) => OnInstability::Warn,
+                Some(InstabilityName::Stop) => OnInstability::Stop,
+            },
+        }
     }
 
     /// What is watched: the scenario's monitors, then those of the command line.
@@ -275,6 +307,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         steps: arguments.steps,
         legacy_d3plot: settings.legacy_d3plot,
         monitors: arguments.plan(scenario_monitors),
+        watch: arguments.watch(),
         profile: settings.profile,
         settling: arguments.settling(),
     };
@@ -319,7 +352,9 @@ fn report_failure(error: &RunError) -> Exit {
         RunError::Output(_) => Exit::Output,
         RunError::Settling(SettlingFault::Tolerance(_)) => Exit::Usage,
         RunError::Settling(SettlingFault::Refused(_)) => Exit::Input,
-        RunError::Unstable { .. } | RunError::Settling(_) => Exit::Unstable,
+        RunError::Unstable { .. } | RunError::Instability { .. } | RunError::Settling(_) => {
+            Exit::Unstable
+        }
         RunError::Stage { .. } | RunError::Checkpoint(_) => Exit::Input,
     }
 }

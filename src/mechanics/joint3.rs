@@ -297,6 +297,30 @@ pub fn evaluate(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> Join
     response
 }
 
+/// An integration point of a joint that has not moved yet.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointSpring {
+    /// Shape functions of the three pairs of nodes.
+    pub shape: [f64; 3],
+    /// Area that it stands for, m².
+    pub area: f64,
+    /// Initial stiffness in all directions, N/m: the parabolas of both modes begin with the
+    /// penalty by a length of the surface.
+    pub stiffness: f64,
+}
+
+/// The integration points of a joint as springs.
+#[must_use]
+pub fn springs(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> Vec<PointSpring> {
+    let surface = Surface::new(corners, points.length);
+    let pairs = points.shapes.iter().zip(points.weights);
+    let spring = |(shape, weight): (&[f64; 3], &f64)| {
+        let area = weight * surface.area;
+        PointSpring { shape: *shape, area, stiffness: law.penalty / surface.length * area }
+    };
+    pairs.map(spring).collect()
+}
+
 /// State of each integration point.
 #[must_use]
 pub fn point_states(law: &CohesiveLaw, points: &Points, corners: &[Vec3; 6]) -> Vec<PointState> {

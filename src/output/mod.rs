@@ -9,6 +9,7 @@ mod bodies;
 mod d3plot;
 mod d3plot_family;
 mod elements;
+mod energy;
 mod error;
 mod histories;
 mod mark;
@@ -26,6 +27,7 @@ mod ygeo;
 pub use background::Background;
 pub use bodies::body_of_elements;
 pub use d3plot::D3plotOutput;
+pub use energy::{Audit, EnergyOutput, EnergySummary};
 pub use error::OutputError;
 pub use histories::HistoryOutput;
 pub use mark::{FilePosition, decode, encode, file_names, present};
@@ -85,6 +87,11 @@ pub trait ResultWriter<S = Simulation> {
     /// What the files are, as `--formats` calls them.
     fn kind(&self) -> &'static str {
         std::any::type_name::<Self>()
+    }
+
+    /// How the run kept its energy, if this writer watches that.
+    fn energy(&self) -> Option<EnergySummary> {
+        None
     }
 
     /// Complete files of a series of one file per state. A writer that needs nothing but their

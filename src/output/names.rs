@@ -96,6 +96,12 @@ impl OutputNames {
         self.folder.join(format!("{}.monitors.csv", self.base))
     }
 
+    /// Table of energies.
+    #[must_use]
+    pub fn energy(&self) -> PathBuf {
+        self.folder.join(format!("{}.energy.csv", self.base))
+    }
+
     /// The run's log.
     #[must_use]
     pub fn log(&self) -> PathBuf {
@@ -118,6 +124,18 @@ impl OutputNames {
     #[must_use]
     pub fn state(&self, steps: u64) -> PathBuf {
         self.folder.join(format!("{}.state_{steps}.txt", self.base))
+    }
+
+    /// Full-precision state just before a run became unstable.
+    #[must_use]
+    pub fn unstable_state(&self) -> PathBuf {
+        self.folder.join(format!("{}.unstable.state.txt", self.base))
+    }
+
+    /// Checkpoint just before a run became unstable.
+    #[must_use]
+    pub fn unstable_checkpoint(&self) -> PathBuf {
+        self.folder.join(format!("{}.unstable.checkpoint", self.base))
     }
 
     /// Checkpoint that a later run can go on from.

@@ -2,6 +2,7 @@
 //! stages, and gives every output writer what it asks for.
 
 mod checkpoint;
+mod guard;
 mod load;
 mod model;
 mod observer;
@@ -14,10 +15,11 @@ mod summary;
 mod writers;
 
 pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
+pub use guard::OnInstability;
 pub use load::{DeckFault, LoadedDeck, load};
 pub use model::SceneSize;
 pub use observer::{Observer, Progress, Silent};
-pub use run::{RunError, RunOptions, run, run_with};
+pub use run::{RunError, RunOptions, Watch, run, run_with};
 pub use scenario::{
     ScenarioDeck, ScenarioError, deck_of_scenario, monitors, write as write_generated,
 };

@@ -12,11 +12,12 @@ use crate::{
     session::{Observer, RunError},
     simulation::{
         AnySimulation, PhaseTimes, SettlingFault, SettlingOptions, SimulationState, SpatialState,
-        StateFault,
+        StateFault, Trouble,
     },
+    stability::Limits,
 };
 use serde::{Deserialize, Serialize};
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, io};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
 
 /// What a scene holds.
@@ -110,6 +111,15 @@ pub(super) trait Model: Sized {
     fn contact_work(&self) -> CoupleWork;
     /// Where the time went, if it was taken.
     fn phases(&self) -> Option<PhaseTimes>;
+    /// What is wrong with the present state, if anything is.
+    fn trouble(&self) -> Option<Trouble>;
+    /// How long a time step the present state bears.
+    fn limits(&self) -> Limits;
+    /// Writes the present state as text.
+    ///
+    /// # Errors
+    /// If `output` refuses.
+    fn write_state(&self, output: &mut dyn io::Write) -> io::Result<()>;
     /// What is to be said about the last step, once.
     fn notice(&self) -> Option<String>;
 

@@ -1,6 +1,7 @@
 use super::{
     Format,
     checkpoint::{Checkpoint, CheckpointError, Checkpoints, DeckPrint, Position, RunSettings},
+    guard::{self, Guard, OnInstability, Verdict},
     load::{LoadedDeck, capacity_finding},
     model::Model,
     observer::{Observer, Progress},
@@ -48,10 +49,21 @@ pub struct RunOptions {
     pub legacy_d3plot: bool,
     /// What is watched during the run.
     pub monitors: MonitorPlan,
+    /// What is looked after during the run.
+    pub watch: Watch,
     /// Program followed for later stages of the deck.
     pub profile: Profile,
     /// Whether the scene is brought to rest before its first step, and when it counts as settled.
     pub settling: Option<SettlingOptions>,
+}
+
+/// What is looked after during a run.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Watch {
+    /// Steps between two lines of the table of energies, if there is one.
+    pub energy_interval: Option<u64>,
+    /// What to do when the motion makes no sense any more.
+    pub on_instability: OnInstability,
 }
 
 /// Why a run failed.
@@ -80,6 +92,24 @@ pub enum RunError {
         /// The offending value.
         energy: f64,
     },
+    /// The motion makes no sense any more, and the run was to stop then.
+    #[error(
+        "the run has become unstable in step {step} (time {time:.6e} s): {trouble}; {cause}. \
+         Results up to then are complete{}",
+        files_before(files)
+    )]
+    Instability {
+        /// The first step whose end makes no sense.
+        step: u64,
+        /// Physical time of that step, s.
+        time: f64,
+        /// What is wrong, and where.
+        trouble: String,
+        /// The likely cause.
+        cause: String,
+        /// The state just before, and a checkpoint of it.
+        files: Vec<PathBuf>,
+    },
     /// A later stage of the deck cannot be run.
     #[error("a later stage of the deck has errors; results of the earlier stages are complete")]
     Stage {
@@ -88,6 +118,15 @@ pub enum RunError {
         /// Findings, errors among them.
         findings: Vec<Diagnostic>,
     },
+}
+
+/// `; the state just before is in A and B`.
+fn files_before(files: &[PathBuf]) -> String {
+    if files.is_empty() {
+        return String::new();
+    }
+    let names: Vec<String> = files.iter().map(|file| file.display().to_string()).collect();
+    format!("; the state just before is in {}", names.join(" and "))
 }
 
 /// Runs all stages of a deck.
@@ -208,6 +247,7 @@ fn run_model<M: Model>(
         here,
         resumed_at,
         last_checkpoint: None,
+        guard: Guard::new(options.watch.on_instability),
     };
     let outcome = session.run_stages(loaded, &mut simulation);
     session.complete(&simulation, outcome, &names)
@@ -234,6 +274,7 @@ struct Session<'a, M> {
     resumed_at: Option<u64>,
     /// Step of the checkpoint written last.
     last_checkpoint: Option<u64>,
+    guard: Guard,
 }
 
 /// Why the steps of a stage ended.
@@ -362,6 +403,7 @@ impl<M: Model> Session<'_, M> {
         self.observer.stage_starts(&deck, simulation.size(), limit, time_step);
         let bodies = simulation.bodies() as u64;
         let mut has_notice = simulation.notice().is_some();
+        self.guard.remember(simulation);
         for _ in 0..limit {
             if self.observer.wants_stop() {
                 return Ok(StageEnd::Interrupted);
@@ -395,12 +437,16 @@ impl<M: Model> Session<'_, M> {
                 writer.after_step(simulation)?;
             }
             let step = simulation.step_index();
+            if step.is_multiple_of(guard::INTERVAL) {
+                self.look(simulation)?;
+            }
             if self.checkpoints.every.is_some_and(|steps| steps > 0 && step.is_multiple_of(steps)) {
-                check_stability(&self.progress(simulation, total))?;
+                self.check_stability(&self.progress(simulation, total))?;
                 self.write_checkpoint(simulation)?;
             }
         }
-        check_stability(&self.progress(simulation, total))?;
+        self.look(simulation)?;
+        self.check_stability(&self.progress(simulation, total))?;
         Ok(end)
     }
 
@@ -415,25 +461,10 @@ impl<M: Model> Session<'_, M> {
         for writer in &mut self.writers {
             marks.push((writer.kind().to_owned(), writer.mark()?));
         }
-        let options = self.options;
         let checkpoint = Checkpoint {
-            settings: RunSettings {
-                formats: options.formats.clone(),
-                states: options.states.clone(),
-                legacy_d3plot: options.legacy_d3plot,
-                profile: options.profile,
-                dialect: self.checkpoints.dialect.clone(),
-                spatial_contact: self.checkpoints.spatial_contact,
-            },
+            settings: self.settings(),
             deck: self.print,
-            position: Position {
-                steps: self.here.steps + self.done,
-                triangle_steps: self.here.triangle_steps + self.triangle_steps,
-                seconds: self.here.seconds + self.started.elapsed().as_secs_f64(),
-                warnings: self.warnings.clone(),
-                log: Some(self.log.position()),
-                ..self.here.clone()
-            },
+            position: self.position(),
             state: simulation.save(),
             marks,
         };
@@ -444,6 +475,31 @@ impl<M: Model> Session<'_, M> {
         Ok(())
     }
 
+    /// What the run was asked for.
+    fn settings(&self) -> RunSettings {
+        let options = self.options;
+        RunSettings {
+            formats: options.formats.clone(),
+            states: options.states.clone(),
+            legacy_d3plot: options.legacy_d3plot,
+            profile: options.profile,
+            dialect: self.checkpoints.dialect.clone(),
+            spatial_contact: self.checkpoints.spatial_contact,
+        }
+    }
+
+    /// Where the run stands.
+    fn position(&self) -> Position {
+        Position {
+            steps: self.here.steps + self.done,
+            triangle_steps: self.here.triangle_steps + self.triangle_steps,
+            seconds: self.here.seconds + self.started.elapsed().as_secs_f64(),
+            warnings: self.warnings.clone(),
+            log: Some(self.log.position()),
+            ..self.here.clone()
+        }
+    }
+
     fn row(&mut self, simulation: &M, total: u64) -> Result<(), RunError> {
         let progress = self.progress(simulation, total);
         let date = jiff::Zoned::now().strftime("%d/%m/%Y %H:%M:%S").to_string();
@@ -451,7 +507,55 @@ impl<M: Model> Session<'_, M> {
         let row = table_row(progress.step, progress.time, &date, seconds);
         self.log.line(&row)?;
         self.observer.row(&row, &progress);
-        check_stability(&progress)
+        self.check_stability(&progress)
+    }
+
+    /// Energy that is no number comes from positions or velocities that are none.
+    fn check_stability(&self, progress: &Progress) -> Result<(), RunError> {
+        let energy = progress.kinetic_energy;
+        if energy.is_finite() || self.guard.mode == OnInstability::Warn {
+            return Ok(());
+        }
+        Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
+    }
+
+    /// Looks whether the motion still makes sense.
+    fn look(&mut self, simulation: &mut M) -> Result<(), RunError> {
+        let energy = self.writers.iter().find_map(|writer| writer.energy());
+        let error = energy.map(|energy| energy.last.relative_error);
+        let here = simulation.step_index();
+        let mut guard = std::mem::replace(&mut self.guard, Guard::new(OnInstability::default()));
+        let verdict = guard.look(simulation, error, &self.names, |simulation, path| {
+            let checkpoint = Checkpoint {
+                // its result files end where the run does
+                settings: RunSettings {
+                    formats: Vec::new(),
+                    states: Vec::new(),
+                    ..self.settings()
+                },
+                marks: Vec::new(),
+                position: {
+                    let back = here - simulation.step_index();
+                    let position = self.position();
+                    let steps = position.steps.saturating_sub(back);
+                    Position { log: None, steps, ..position }
+                },
+                deck: self.print,
+                state: simulation.save(),
+            };
+            checkpoint.write(&path).map_err(|e| OutputError::io(&path)(e).into())
+        });
+        self.guard = guard;
+        match verdict {
+            Verdict::Sound => {}
+            Verdict::Warn(warning) => {
+                let finding = Diagnostic::warning("run::instability", warning);
+                self.observer.findings(std::slice::from_ref(&finding), &SourceMap::new());
+                self.warnings.push(finding.to_string());
+            }
+            Verdict::End(error) => return Err(error),
+        }
+        Ok(())
     }
 
     fn progress(&self, simulation: &M, total: u64) -> Progress {
@@ -476,6 +580,7 @@ impl<M: Model> Session<'_, M> {
         let triangle_steps = self.here.triangle_steps + self.triangle_steps;
         let mut files = Vec::new();
         let mut failure = self.background.wait().err();
+        let energy = self.writers.iter().find_map(|writer| writer.energy());
         for writer in self.writers {
             match writer.finish() {
                 Ok(finished) => files.extend(finished),
@@ -504,6 +609,7 @@ impl<M: Model> Session<'_, M> {
             couples_evaluated: work.evaluated,
             couples_rested: work.rested,
             phases: simulation.phases(),
+            energy,
             files,
             ..empty_summary(self.options, self.warnings)
         };
@@ -516,15 +622,6 @@ impl<M: Model> Session<'_, M> {
         self.observer.finished(&summary);
         Ok(summary)
     }
-}
-
-/// Energy that is no number comes from positions or velocities that are none.
-fn check_stability(progress: &Progress) -> Result<(), RunError> {
-    let energy = progress.kinetic_energy;
-    if energy.is_finite() {
-        return Ok(());
-    }
-    Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
 }
 
 /// Results cannot take the place of a folder: better said before the run than after it.
@@ -569,6 +666,7 @@ fn empty_summary(options: &RunOptions, warnings: Vec<String>) -> RunSummary {
         couples_rested: 0,
         settling: None,
         phases: None,
+        energy: None,
         resumed_at: None,
         warnings,
         files: Vec::new(),

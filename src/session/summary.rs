@@ -1,5 +1,5 @@
 use super::settle::SettlingSummary;
-use crate::simulation::PhaseTimes;
+use crate::{output::EnergySummary, simulation::PhaseTimes};
 use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 
@@ -53,6 +53,9 @@ pub struct RunSummary {
     /// ([`Simulation::watch_phases`](crate::simulation::Simulation::watch_phases)).
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub phases: Option<PhaseTimes>,
+    /// Where the energy went, if the run was asked to watch it (`--energy`).
+    #[serde(default, skip_serializing_if = "Option::is_none")]
+    pub energy: Option<EnergySummary>,
     /// Step of the checkpoint that the run went on from.
     pub resumed_at: Option<u64>,
     /// Warnings about the deck.

@@ -3,11 +3,11 @@
 use super::{Format, run::RunOptions};
 use crate::{
     output::{
-        Background, D3plotOutput, HistoryOutput, MonitorOutput, OutputError, OutputNames,
-        RestartDeckOutput, ResultWriter, SnapshotOutput, SpatialD3plotOutput, SpatialVtuOutput,
-        StateFileOutput, VtuOutput, YGeoOutput,
+        Background, D3plotOutput, EnergyOutput, HistoryOutput, MonitorOutput, OutputError,
+        OutputNames, RestartDeckOutput, ResultWriter, SnapshotOutput, SpatialD3plotOutput,
+        SpatialVtuOutput, StateFileOutput, VtuOutput, YGeoOutput,
     },
-    simulation::{Simulation, SpatialSimulation},
+    simulation::{PlaneAudit, Simulation, SpaceAudit, SpatialSimulation},
 };
 use yformat::{d3plot::StartDate, dialect::Dialect};
 
@@ -51,6 +51,10 @@ pub(super) fn open_writers(
     if !options.monitors.is_empty() {
         writers.push(Box::new(MonitorOutput::open(names, &options.monitors, simulation)?));
     }
+    if let Some(interval) = options.watch.energy_interval {
+        let audit = PlaneAudit::new(simulation);
+        writers.push(Box::new(EnergyOutput::open(names, audit, interval)?));
+    }
     if !options.states.is_empty() {
         writers.push(Box::new(StateFileOutput::new(
             names,
@@ -86,6 +90,9 @@ pub(super) fn open_in_space(
     }
     if formats.contains(&Format::Vtu) {
         writers.push(Box::new(SpatialVtuOutput::new(names, background)));
+    }
+    if let Some(interval) = options.watch.energy_interval {
+        writers.push(Box::new(EnergyOutput::open(names, SpaceAudit::new(), interval)?));
     }
     if !options.states.is_empty() {
         let states = options.states.iter().copied();

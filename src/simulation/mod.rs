@@ -3,6 +3,7 @@
 //! After [`Simulation::prepare`] one step is [`Simulation::evaluate_forces`], then output of the state that
 //! belongs to those forces, then [`Simulation::advance`].
 
+mod audit;
 mod classic_joints;
 mod contact_step;
 mod disjoint;
@@ -14,6 +15,7 @@ mod extra_loads;
 mod fracture;
 mod fracture_lines;
 mod free_motion;
+mod guard;
 mod joint_forces;
 mod joint_records;
 mod motion;
@@ -39,10 +41,13 @@ use joint_forces::EvaluatedJoint;
 use nalgebra::Matrix2;
 use phases::{Phase, PhaseClock};
 use plan::Plan;
+pub(crate) use plan::stress_law;
 use std::ops::Range;
 
+pub use audit::{EnergyBalance, PlaneAudit, SpaceAudit};
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
+pub use guard::{Trouble, Wrong};
 pub use joint_records::{EnergyRelease, JointRecord, YieldMode, Yielding};
 pub use phases::PhaseTimes;
 pub use settling::{

@@ -300,7 +300,7 @@ fn elasticity(material: &Material, share: VolumetricShare) -> Elasticity {
 }
 
 /// The law that a material's elastic triangles follow.
-pub(super) fn stress_law(material: &Material, share: VolumetricShare) -> StressLaw {
+pub(crate) fn stress_law(material: &Material, share: VolumetricShare) -> StressLaw {
     let viscosity = material.viscosity;
     let linear = |stiffness, own, cross, shear| {
         StressLaw::Linear(LinearElasticity { stiffness, own, cross, shear, viscosity })

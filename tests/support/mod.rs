@@ -10,5 +10,6 @@ pub mod results;
 pub mod scenes;
 pub mod settling;
 pub mod spoilt_deck;
+pub mod stability_scenes;
 pub mod state_file;
 pub mod ten_node_cube;

@@ -39,6 +39,7 @@ fn check_files(name: &str, folder: &Path, comparison: Comparison) -> Result<(), 
         steps: None,
         legacy_d3plot: false,
         monitors: Default::default(),
+        watch: Default::default(),
         profile: Profile::Windows,
         settling: None,
     };

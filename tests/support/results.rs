@@ -26,6 +26,7 @@ pub fn results(deck: &Deck, monitors: &[&str], interval: u64) -> TempDir {
         steps: None,
         legacy_d3plot: false,
         monitors: MonitorPlan { monitors, interval },
+        watch: Default::default(),
         profile: Profile::Windows,
         settling: None,
     };

@@ -2,7 +2,7 @@ use super::{Model, ModelState, SceneSize};
 use crate::{
     contact::CoupleWork,
     insertion::CapacityError,
-    output::{Background, OutputError, OutputNames, ResultWriter},
+    output::{Background, OutputError, OutputNames, ResultWriter, write_state},
     scene::{Control, Profile, SpatialContact, replay_settings, update_scene},
     session::{
         Observer, RunError, RunOptions,
@@ -10,10 +10,12 @@ use crate::{
         writers::open_writers,
     },
     simulation::{
-        PhaseTimes, SettlingFault, SettlingOptions, Simulation, StateFault, StressUse, joint_views,
+        PhaseTimes, SettlingFault, SettlingOptions, Simulation, StateFault, StressUse, Trouble,
+        joint_views,
     },
+    stability::Limits,
 };
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, io};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
 
 impl Model for Simulation {
@@ -59,12 +61,24 @@ impl Model for Simulation {
         self.phase_times()
     }
 
+    fn trouble(&self) -> Option<Trouble> {
+        self.trouble()
+    }
+
+    fn limits(&self) -> Limits {
+        Limits::of_plane(self.scene())
+    }
+
+    fn write_state(&self, output: &mut dyn io::Write) -> io::Result<()> {
+        write_state(output, self)
+    }
+
     fn notice(&self) -> Option<String> {
         None
     }
 
     fn begin(&mut self, options: &RunOptions) {
-        if options.monitors.needs_contact_forces() {
+        if options.monitors.needs_contact_forces() || options.watch.energy_interval.is_some() {
             self.watch_contact_forces();
         }
         self.keep_stresses(StressUse::OutputSteps);

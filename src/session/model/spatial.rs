@@ -2,15 +2,16 @@ use super::{Model, ModelState, SceneSize};
 use crate::{
     contact::CoupleWork,
     insertion::CapacityError,
-    output::{Background, OutputError, OutputNames, ResultWriter},
+    output::{Background, OutputError, OutputNames, ResultWriter, write_spatial_state},
     scene::{Control, Profile, replay_settings, update_spatial_scene},
     session::{Observer, RunError, RunOptions, settle::SettlingSummary, writers::open_in_space},
     simulation::{
         PhaseTimes, SettlingFault, SettlingOptions, SpatialSimulation, StateFault, StressUse,
-        Unsettleable, face_joint_views,
+        Trouble, Unsettleable, face_joint_views,
     },
+    stability::Limits,
 };
-use std::collections::BTreeSet;
+use std::{collections::BTreeSet, io};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
 
 impl Model for SpatialSimulation {
@@ -54,6 +55,18 @@ impl Model for SpatialSimulation {
 
     fn phases(&self) -> Option<PhaseTimes> {
         self.phase_times()
+    }
+
+    fn trouble(&self) -> Option<Trouble> {
+        self.trouble()
+    }
+
+    fn limits(&self) -> Limits {
+        Limits::of_space(self.scene())
+    }
+
+    fn write_state(&self, output: &mut dyn io::Write) -> io::Result<()> {
+        write_spatial_state(output, self)
     }
 
     /// The original says so of every such element in every step; here the first is named.

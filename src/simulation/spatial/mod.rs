@@ -4,6 +4,7 @@
 //! Responses of elements go into slots, from any thread; then each node sums what its elements
 //! do to it, in the original's order. Sums round the same on any number of threads.
 
+mod audit;
 mod forces;
 mod motion;
 mod plan;

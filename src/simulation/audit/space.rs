@@ -1,0 +1,58 @@
+//! The audit of a simulation of tetrahedra.
+
+use super::{super::spatial::SpatialSimulation, EnergyBalance, Ledger, Stored, joint_energy};
+
+/// Energies and works of a simulation in space.
+///
+/// Contacts have no potential there: what they store is what they have taken.
+#[derive(Debug, Clone)]
+pub struct SpaceAudit {
+    ledger: Ledger<3>,
+}
+
+impl SpaceAudit {
+    /// An audit that begins with the next step.
+    #[must_use]
+    pub fn new() -> Self {
+        Self { ledger: Ledger::new() }
+    }
+
+    /// Looks at a state after its forces were evaluated.
+    pub fn after_forces(&mut self, simulation: &SpatialSimulation) {
+        let scene = simulation.scene();
+        let nodes = &scene.nodes;
+        let points = scene.joint_points.points();
+        let mut strain = None;
+        self.ledger.look(&nodes.current, &nodes.velocity, Stored::default(), |forces| {
+            strain = simulation.forces_by_origin(forces);
+        });
+        let joints = simulation.live_joints().map(|(law, corners)| {
+            joint_energy::of_face_joint(&scene.cohesive_laws[law], &points, &corners)
+        });
+        self.ledger.stored = Stored { strain, joints: joints.sum(), contact: None, friction: 0.0 };
+    }
+
+    /// Looks at it after it has moved.
+    pub fn after_motion(&mut self, simulation: &SpatialSimulation) {
+        let scene = simulation.scene();
+        self.ledger.close(&scene.nodes.velocity, simulation.masses(), scene.control.time_step);
+    }
+
+    /// The balance of the last state looked at.
+    #[must_use]
+    pub fn balance(&self) -> EnergyBalance {
+        self.ledger.balance
+    }
+
+    /// Largest relative error so far, without its sign.
+    #[must_use]
+    pub fn worst_error(&self) -> f64 {
+        self.ledger.worst
+    }
+}
+
+impl Default for SpaceAudit {
+    fn default() -> Self {
+        Self::new()
+    }
+}
