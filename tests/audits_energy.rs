@@ -28,6 +28,7 @@ fn audited(moving: &mut Moving, dt: f64, steps: usize) -> Audited {
     let worst = match moving {
         Moving::Plane(simulation) => {
             simulation.watch_contact_forces();
+            simulation.keep_triangles();
             let mut audit = PlaneAudit::new(simulation);
             for _ in 0..steps {
                 simulation.evaluate_forces();

@@ -90,14 +90,19 @@ impl Simulation {
 
     /// The first triangle that has turned over though its undeformed shape has not.
     fn turned_over(&self) -> Option<usize> {
-        let places = &self.scene.nodes.current;
-        let triangles = self.plan.batches.iter().flat_map(|batch| &batch.triangles);
-        let found =
-            triangles.filter(|planned| planned.reference.double_area > 0.0).find(|planned| {
-                let corners = planned.corners.map(|n| places[n as usize]);
-                double_area(&corners) <= 0.0
-            });
-        found.map(|planned| planned.element as usize)
+        let Scene { nodes, elements, materials, .. } = &self.scene;
+        let is_triangle = |&element: &usize| {
+            let material = usize::try_from(elements.property[element]).ok();
+            material.and_then(|m| materials.get(m)).is_some_and(|m| {
+                matches!(m.kind, ElementKind::ElasticTriangle | ElementKind::SofteningTriangle)
+            })
+        };
+        let has_turned_over = |&element: &usize| {
+            let corners = elements.corners::<3>(element);
+            double_area(&corners.map(|n| nodes.current[n])) <= 0.0
+                && double_area(&corners.map(|n| nodes.initial[n])) > 0.0
+        };
+        (0..elements.len()).filter(is_triangle).find(has_turned_over)
     }
 
     fn around(&self, wrong: Wrong, node: Option<usize>, element: Option<usize>) -> Trouble {

@@ -138,6 +138,8 @@ pub struct Simulation {
     strength: Vec<f64>,
     /// Contact forces, where they are summed apart (classic), N.
     contact_force: Vec<Vec2>,
+    /// Whether the plan lists triangles that domains hold.
+    keeps_triangles: bool,
     /// Whether somebody wants to know the contact forces by themselves.
     watches_contact: bool,
     /// What contact added to the nodal forces, where somebody wants to know, N.
@@ -194,6 +196,7 @@ impl Simulation {
             stress_use: StressUse::default(),
             strength: Vec::new(),
             contact_force: Vec::new(),
+            keeps_triangles: false,
             watches_contact: false,
             contact_share: Vec::new(),
             joint_records: Vec::new(),

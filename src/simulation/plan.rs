@@ -105,13 +105,13 @@ pub(super) struct Plan {
 }
 
 impl Plan {
-    /// Forgets masses that stay as they are, and the triangles that domains have taken over, where
-    /// nobody else asks for them.
-    pub fn forget_divided(&mut self) {
+    /// Forgets masses that stay as they are and, unless they are to be kept, the triangles that
+    /// domains have taken over, where nobody else asks for them.
+    pub fn forget_divided(&mut self, keeps_triangles: bool) {
         if !self.masses_change {
             self.nodal_mass = Vec::new();
         }
-        if self.excavates || !self.strain_energy_probes.is_empty() {
+        if keeps_triangles || self.excavates || !self.strain_energy_probes.is_empty() {
             return;
         }
         for batch in &mut self.batches {

@@ -90,6 +90,7 @@ impl Simulation {
             kinetic_energy,
             stress_use: _,
             // made anew in every step
+            keeps_triangles: _,
             watches_contact: _,
             contact_share: _,
             domains: _,

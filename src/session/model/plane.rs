@@ -81,6 +81,9 @@ impl Model for Simulation {
         if options.monitors.needs_contact_forces() || options.watch.energy_interval.is_some() {
             self.watch_contact_forces();
         }
+        if options.watch.energy_interval.is_some() {
+            self.keep_triangles();
+        }
         self.keep_stresses(StressUse::OutputSteps);
     }
 

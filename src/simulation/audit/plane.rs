@@ -38,7 +38,8 @@ impl TangentialLaw for NormalOnly {
 }
 
 impl PlaneAudit {
-    /// An audit that begins with the next step. The simulation has to watch its contact forces.
+    /// An audit that begins with the next step. The simulation has to watch its contact forces and to
+    /// keep its triangles.
     #[must_use]
     pub fn new(simulation: &Simulation) -> Self {
         let scene = &simulation.scene;

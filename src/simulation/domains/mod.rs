@@ -171,10 +171,17 @@ impl Simulation {
         self.divide();
     }
 
+    /// From now on keeps a list of all triangles, which an audit of energies goes through.
+    pub fn keep_triangles(&mut self) {
+        self.keeps_triangles = true;
+        self.plan = Plan::new(&self.scene);
+        self.divide();
+    }
+
     pub(super) fn divide(&mut self) {
         let threads = self.options.team.size();
         self.domains = Domains::new(&self.scene, &self.plan, &self.strength, self.parts, threads);
-        self.plan.forget_divided();
+        self.plan.forget_divided(self.keeps_triangles);
     }
 
     /// Adds the forces of some phases that domains can do.
