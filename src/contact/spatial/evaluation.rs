@@ -8,9 +8,9 @@ use super::{
     clearance3::{ALL_PAIRS, Asked, Clearance},
     friction3::{Contact, velocity},
     overlap3::{FaceForce, overlap, overlap_in},
-    potential::{Pressed, Shape3, press},
+    potential::{Pressed, Shape3},
     surfaces::Surfaces,
-    two_sided::TwoSided,
+    two_sided::{TwoSided, pressed_both},
     visits::{Visit, Visits},
 };
 use crate::{
@@ -148,7 +148,7 @@ impl Chunk {
                     self.exerted.push((visit.participants, Exerted::Faces(force)));
                 });
                 if step.law.has_friction && self.exerted.len() > before {
-                    pressed = Some([Some(press(shapes[0], shapes[1])), None]);
+                    pressed = pressed_both(shapes).map(|[target, _]| [Some(target), None]);
                 }
             }
             PressedFaces::Both => {

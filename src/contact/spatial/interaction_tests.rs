@@ -127,8 +127,10 @@ fn bits(forces: &[Vec3]) -> Vec<[u64; 3]> {
 fn leaving_out_what_does_nothing_changes_no_bit() {
     for law in LAWS {
         let (mut resting, mut thorough) = (heap(law, true), heap(law, false));
+        // the two-sided law is the stiffer one: its collisions are short
+        (resting.dt, thorough.dt) = (5e-5, 5e-5);
         let mut touched = 0;
-        for n in 0..1500 {
+        for n in 0..3000 {
             let (some, all) = (resting.step(), thorough.step());
             assert!(bits(&some) == bits(&all), "{law:?}: forces differ in step {n}");
             touched += u32::from(some.iter().any(|f| f.norm() > 1.0));

@@ -11,13 +11,17 @@
 //! pressure of the energy it holds: −6·p·∫P dV·∇λᵢ on node i. Forces are the exact gradient of U
 //! for any motion of the eight nodes, rigid or not.
 //!
-//! The volume integral follows from the surface: with c the centroid and P = 1 + (x−c)·g in one
-//! sub-tetrahedron, div((x−c)(P/4 + 1/12)) = P, and the inner faces hold c.
+//! The volume integral follows from the surface of that part: with c the centroid and
+//! P = 1 + (x−c)·g in one sub-tetrahedron, div((x−c)(P/4 + 1/12)) = P, and the inner faces hold c.
+//! The surface has to be closed, or what is missing counts with its distance from c: see `common`.
 
-use super::{FACES, Vec3, dot, vector_product};
+use super::{FACES, Vec3, common::Common, dot, vector_product};
 
-/// Corners of a triangle cut by four planes.
-const MOST: usize = 7;
+/// Corners of a polygon divided by three planes: more than any has, rounded as it may be.
+const MOST: usize = 24;
+
+/// Volume coordinates that differ by less are equal, but for their rounding.
+const ROUNDING: f64 = 1e-14;
 
 /// A corner of a piece of a face: volume coordinates in the other body, area coordinates in the face.
 #[derive(Debug, Clone, Copy, Default)]
@@ -35,7 +39,7 @@ impl Corner {
     }
 }
 
-/// The part of a triangle in which linear functions of the coordinates are positive.
+/// A piece of a face.
 #[derive(Debug, Clone, Copy)]
 struct Piece {
     corners: [Corner; MOST],
@@ -43,36 +47,62 @@ struct Piece {
 }
 
 impl Piece {
-    fn new(corners: &[Corner; 3]) -> Self {
-        let mut piece = Self { corners: [Corner::default(); MOST], len: 3 };
-        piece.corners[..3].copy_from_slice(corners);
-        piece
+    fn empty() -> Self {
+        Self { corners: [Corner::default(); MOST], len: 0 }
     }
 
     fn corners(&self) -> &[Corner] {
         &self.corners[..self.len]
     }
 
-    fn cut(&self, side: impl Fn(&[f64; 4]) -> f64) -> Self {
-        let mut kept = Self { corners: [Corner::default(); MOST], len: 0 };
-        let mut keep = |corner: Corner| {
-            if kept.len < MOST {
-                kept.corners[kept.len] = corner;
-                kept.len += 1;
-            }
-        };
+    fn push(&mut self, corner: Corner) {
+        if let Some(free) = self.corners.get_mut(self.len) {
+            *free = corner;
+            self.len += 1;
+        }
+    }
+
+    /// Calls `exert` with the parts in each of which one coordinate in the other body is the
+    /// lowest. Every part of the piece is passed on once: if all of it lies where two are equal, to
+    /// one of them.
+    fn divide(&self, exert: &mut impl FnMut(&Self, usize)) {
+        self.divide_from(0, 1, exert);
+    }
+
+    /// The same if `lowest` is the lowest of the coordinates before `next`.
+    fn divide_from(&self, lowest: usize, next: usize, exert: &mut impl FnMut(&Self, usize)) {
+        if next == FACES.len() {
+            exert(self, lowest);
+            return;
+        }
+        let above = |corner: &Corner| corner.inside[lowest] - corner.inside[next];
         let corners = self.corners();
-        for (i, a) in corners.iter().enumerate() {
-            let b = &corners[(i + 1) % corners.len()];
-            let (here, there) = (side(&a.inside), side(&b.inside));
-            if here >= 0.0 {
-                keep(*a);
+        let Some(start) = corners.iter().position(|corner| above(corner) <= ROUNDING) else {
+            return self.divide_from(next, next + 1, exert);
+        };
+        if corners.iter().all(|corner| above(corner) <= ROUNDING) {
+            return self.divide_from(lowest, next + 1, exert);
+        }
+        // what is taken from the one part is what the other gets, wherever rounding puts the border
+        let (mut kept, mut rest) = (Self::empty(), Self::empty());
+        for i in start..start + self.len {
+            let [a, b] = [i, i + 1].map(|i| &corners[i % self.len]);
+            let (here, there) = (above(a), above(b));
+            let [is_above, will_be] = [here, there].map(|height| height > ROUNDING);
+            let part = if is_above { &mut rest } else { &mut kept };
+            part.push(*a);
+            if is_above != will_be {
+                let weight = here / (here - there);
+                let corner = Corner::between(a, b, weight.clamp(0.0, 1.0));
+                kept.push(corner);
+                rest.push(corner);
             }
-            if (here > 0.0 && there < 0.0) || (here < 0.0 && there > 0.0) {
-                keep(Corner::between(a, b, here / (here - there)));
+            if is_above && !will_be {
+                rest.divide_from(next, next + 1, exert);
+                rest = Self::empty();
             }
         }
-        kept
+        kept.divide_from(lowest, next + 1, exert);
     }
 }
 
@@ -88,9 +118,7 @@ pub(super) struct Pressed {
     pub pressure: f64,
     /// Area on which the potential acts, m².
     pub area: f64,
-    /// Share of each face that lies inside the other.
-    pub share: [f64; 4],
-    /// The part of ∫P dV that the faces add to, m³.
+    /// ∫P dV over the part that both share, m³.
     pub volume_integral: f64,
 }
 
@@ -134,37 +162,39 @@ impl Shape3 {
             other.corners.iter().all(|x| dot(&self.gradients[i], &(x - base)) <= 0.0)
         })
     }
+
+    /// Of the face opposite to a node: outward, as long as its area, m².
+    fn normal(&self, opposite: usize) -> Vec3 {
+        self.gradients[opposite] * (-3.0 * self.volume)
+    }
 }
 
-/// Integrals over the faces of `body` in the potential of `owner`.
-pub(super) fn press(owner: &Shape3, body: &Shape3) -> Pressed {
-    let mut sum = Pressed::default();
-    let coordinates = body.corners.each_ref().map(|corner| owner.coordinates(corner));
-    let centroid = owner.centroid();
-    for (face, [p, q, r, opposite]) in FACES.into_iter().enumerate() {
-        let nodes = [p, q, r];
-        // outward, as long as the face's area
-        let normal = body.gradients[opposite] * (-3.0 * body.volume);
-        let area = dot(&normal, &normal).sqrt();
-        let distance = dot(&(body.corners[p] - centroid), &normal);
-        let corners = [0, 1, 2].map(|k| Corner {
-            inside: coordinates[nodes[k]],
-            on_face: std::array::from_fn(|i| f64::from(u8::from(i == k))),
-        });
-        if (0..4).any(|i| corners.iter().all(|corner| corner.inside[i] <= 0.0)) {
-            continue;
+/// Integrals over the part that two bodies share: each time the faces of one in the potential of
+/// the other, whose place in the pair is that of the result.
+pub(super) fn press(bodies: [&Shape3; 2], common: &Common) -> [Pressed; 2] {
+    let mut pressed = [Pressed::default(); 2];
+    let centroids = bodies.map(Shape3::centroid);
+    for (of, opposite, corners) in common.faces() {
+        let body = bodies[of];
+        let nodes = face_nodes(opposite);
+        let mut piece = Piece::empty();
+        for corner in corners {
+            piece.push(Corner {
+                inside: corner.inside[1 - of],
+                on_face: nodes.map(|node| corner.inside[of][node]),
+            });
         }
-        for lowest in 0..4 {
-            let mut piece = Piece::new(&corners).cut(|inside| inside[lowest]);
-            for other in (0..4).filter(|&other| other != lowest) {
-                piece = piece.cut(|inside| inside[other] - inside[lowest]);
-            }
-            let corners = piece.corners();
-            for i in 1..corners.len().saturating_sub(1) {
-                let triangle = [&corners[0], &corners[i], &corners[i + 1]];
-                let [a, b, c] = triangle.map(|corner| corner.on_face);
-                // share of the face's area
-                let share = ((b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])).abs();
+        // the potential of the body itself is 0 on its face
+        let whole: f64 = triangles(&piece).map(|triangle| share(&triangle)).sum();
+        pressed[of].volume_integral += whole * 0.75 * body.volume / 12.0;
+        let normal = body.normal(opposite);
+        let distance = dot(&(body.corners[nodes[0]] - centroids[1 - of]), &normal);
+        let sum = &mut pressed[1 - of];
+        let [on_face, in_owner] = [&mut sum.faces, &mut sum.owner];
+        let (mut all, mut integral) = (0.0, 0.0);
+        piece.divide(&mut |part, lowest| {
+            for triangle in triangles(part) {
+                let share = share(&triangle);
                 let potential = triangle.map(|corner| 4.0 * corner.inside[lowest]);
                 let total = potential[0] + potential[1] + potential[2];
                 let moment = |values: [f64; 3]| {
@@ -174,19 +204,37 @@ pub(super) fn press(owner: &Shape3, body: &Shape3) -> Pressed {
                     share * (total * (values[0] + values[1] + values[2]) + mixed) / 12.0
                 };
                 for k in 0..3 {
-                    sum.faces[nodes[k]] +=
-                        normal * moment(triangle.map(|corner| corner.on_face[k]));
+                    on_face[nodes[k]] += normal * moment(triangle.map(|corner| corner.on_face[k]));
                 }
                 for k in 0..4 {
-                    sum.owner[k] += normal * moment(triangle.map(|corner| corner.inside[k]));
+                    in_owner[k] += normal * moment(triangle.map(|corner| corner.inside[k]));
                 }
-                let integral = share * total / 3.0;
-                sum.pressure += integral * area;
-                sum.area += share * area;
-                sum.share[face] += share;
-                sum.volume_integral += distance * (integral / 4.0 + share / 12.0);
+                all += share;
+                integral += share * total / 3.0;
             }
-        }
+        });
+        let area = dot(&normal, &normal).sqrt();
+        sum.pressure += integral * area;
+        sum.area += all * area;
+        sum.volume_integral += distance * (integral / 4.0 + all / 12.0);
     }
-    sum
+    pressed
+}
+
+/// Nodes of the face opposite to a node.
+fn face_nodes(opposite: usize) -> [usize; 3] {
+    let face = FACES.into_iter().find(|face| face[3] == opposite);
+    face.map_or([0; 3], |[p, q, r, _]| [p, q, r])
+}
+
+/// The triangles between the first corner and each edge.
+fn triangles(piece: &Piece) -> impl Iterator<Item = [&Corner; 3]> {
+    let corners = piece.corners();
+    (2..corners.len()).map(move |i| [&corners[0], &corners[i - 1], &corners[i]])
+}
+
+/// A triangle's share of the face's area.
+fn share(triangle: &[&Corner; 3]) -> f64 {
+    let [a, b, c] = triangle.map(|corner| corner.on_face);
+    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
 }
