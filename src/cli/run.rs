@@ -125,7 +125,7 @@ impl From<ProfileName> for Profile {
 pub(super) enum ContactName {
     /// The original's: faces of the element with the higher number
     OneSided,
-    /// Faces of both, from a potential; has a defect: see Theory in the manual
+    /// Faces of both, from a potential: energy is kept, and numbering decides about nothing
     TwoSided,
 }
 

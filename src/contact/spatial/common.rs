@@ -9,7 +9,10 @@
 //!
 //! Corners are kept as volume coordinates in both bodies, in which everything is linear.
 
-use super::{FACES, potential::Shape3};
+use super::{
+    FACES,
+    potential::{ROUNDING, Shape3},
+};
 
 /// Corners made by four cuts: 26, as a cut crosses each of the 4 to 7 faces once; some more where
 /// rounding makes it cross one twice.
@@ -17,8 +20,6 @@ const MOST_CORNERS: usize = 48;
 /// Faces, and corners of all faces, with as much room.
 const MOST_FACES: usize = 16;
 const MOST_PLACES: usize = 96;
-/// Corners with a volume coordinate not further below 0 are inside: rounding of the coordinates.
-const ROUNDING: f64 = 1e-14;
 
 /// A corner: its volume coordinates in both bodies.
 #[derive(Debug, Clone, Copy, Default)]

@@ -21,7 +21,7 @@ use super::{FACES, Vec3, common::Common, dot, vector_product};
 const MOST: usize = 24;
 
 /// Volume coordinates that differ by less are equal, but for their rounding.
-const ROUNDING: f64 = 1e-14;
+pub(super) const ROUNDING: f64 = 1e-14;
 
 /// A corner of a piece of a face: volume coordinates in the other body, area coordinates in the face.
 #[derive(Debug, Clone, Copy, Default)]
@@ -155,11 +155,12 @@ impl Shape3 {
         (a + b + c + d) * 0.25
     }
 
-    /// Whether all of the other lies beyond a face of this one.
+    /// Whether all of the other lies beyond a face of this one, but for rounding: neighbours of one
+    /// mesh do.
     pub fn excludes(&self, other: &Self) -> bool {
         (0..4).any(|i| {
             let base = self.corners[(i + 1) % 4];
-            other.corners.iter().all(|x| dot(&self.gradients[i], &(x - base)) <= 0.0)
+            other.corners.iter().all(|x| dot(&self.gradients[i], &(x - base)) <= ROUNDING)
         })
     }
 

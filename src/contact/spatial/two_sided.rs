@@ -129,6 +129,20 @@ mod tests {
             }
         }
 
+        /// Nor does a node, but for rounding.
+        #[test]
+        fn no_node_comes_first(corners in in_one_plane()) {
+            let turned = corners.map(|[a, b, c, d]| [b, d, c, a]);
+            let forces = |corners| exerted(corners).map_or([[Vec3::zeros(); 4]; 2], |f| f.forces);
+            let (here, there) = (forces(&corners), forces(&turned));
+            for t in 0..2 {
+                for (i, k) in [(0, 3), (1, 0), (2, 2), (3, 1)] {
+                    let difference = here[t][i] - there[t][k];
+                    prop_assert!(difference.norm() < 1e-11, "{difference}");
+                }
+            }
+        }
+
         /// Newton's third law, for forces and for moments.
         #[test]
         fn forces_and_moments_balance(corners in overlapping(), far in vector(), scale in number()) {
