@@ -16,10 +16,10 @@ use super::{
 
 /// Corners made by four cuts: 26, as a cut crosses each of the 4 to 7 faces once; some more where
 /// rounding makes it cross one twice.
-const MOST_CORNERS: usize = 48;
+const MOST_CORNERS: usize = 36;
 /// Faces, and corners of all faces, with as much room.
-const MOST_FACES: usize = 16;
-const MOST_PLACES: usize = 96;
+const MOST_FACES: usize = 12;
+const MOST_PLACES: usize = 64;
 
 /// A corner: its volume coordinates in both bodies.
 #[derive(Debug, Clone, Copy, Default)]
@@ -102,9 +102,7 @@ impl Common {
             nodes.into_iter().try_for_each(|node| common.hull.push(node as u8))?;
             common.hull.finish(0, opposite)?;
         }
-        for node in 0..FACES.len() {
-            common = common.cut(node)?;
-        }
+        (0..FACES.len()).try_for_each(|node| common.cut(node))?;
         Some(common)
     }
 
@@ -117,11 +115,11 @@ impl Common {
     }
 
     /// The part in which the second body's volume coordinate of a node is positive.
-    fn cut(mut self, node: usize) -> Option<Self> {
+    fn cut(&mut self, node: usize) -> Option<()> {
         let side = |corner: &Corner| corner.inside[1][node];
-        let whole = self.hull;
+        let hull = &self.hull;
         let (mut any_inside, mut outside) = (false, 0u64);
-        for &place in &whole.places[..whole.len] {
+        for &place in &hull.places[..hull.len] {
             let height = side(&self.corners[usize::from(place)]);
             any_inside |= height > ROUNDING;
             outside |= u64::from(height < -ROUNDING) << place;
@@ -130,9 +128,9 @@ impl Common {
             return None;
         }
         if outside == 0 {
-            return Some(self);
+            return Some(());
         }
-        self.hull = Hull::empty();
+        let whole = std::mem::replace(&mut self.hull, Hull::empty());
         let mut cuts = Cuts { first: self.len, edges: [[0; 2]; MOST_CORNERS] };
         // the corner that follows each new corner on the new face
         let mut next = [0; MOST_CORNERS];
@@ -148,7 +146,7 @@ impl Common {
                     continue;
                 }
                 let [inner, outer] = if is_out { [to, from] } else { [from, to] };
-                let corner = cuts.corner(&mut self, [inner, outer], side)?;
+                let corner = cuts.corner(self, [inner, outer], side)?;
                 self.hull.push(corner)?;
                 if !is_out {
                     left = Some(corner);
@@ -173,7 +171,7 @@ impl Common {
             }
             self.hull.finish(1, node)?;
         }
-        Some(self)
+        Some(())
     }
 }
 

@@ -16,25 +16,27 @@
 //! The surface has to be closed, or what is missing counts with its distance from c: see `common`.
 
 use super::{FACES, Vec3, common::Common, dot, vector_product};
+use crate::lanes::each;
 
 /// Corners of a polygon divided by three planes: more than any has, rounded as it may be.
-const MOST: usize = 24;
+const MOST: usize = 16;
 
 /// Volume coordinates that differ by less are equal, but for their rounding.
 pub(super) const ROUNDING: f64 = 1e-14;
 
-/// A corner of a piece of a face: volume coordinates in the other body, area coordinates in the face.
+/// A corner of a piece of a face: volume coordinates in the other body, and the first two area
+/// coordinates in the face.
 #[derive(Debug, Clone, Copy, Default)]
 struct Corner {
     inside: [f64; 4],
-    on_face: [f64; 3],
+    on_face: [f64; 2],
 }
 
 impl Corner {
     fn between(a: &Self, b: &Self, weight: f64) -> Self {
         Self {
-            inside: std::array::from_fn(|i| a.inside[i] + weight * (b.inside[i] - a.inside[i])),
-            on_face: std::array::from_fn(|i| a.on_face[i] + weight * (b.on_face[i] - a.on_face[i])),
+            inside: each!(4, |i| a.inside[i] + weight * (b.inside[i] - a.inside[i])),
+            on_face: each!(2, |i| a.on_face[i] + weight * (b.on_face[i] - a.on_face[i])),
         }
     }
 }
@@ -62,62 +64,162 @@ impl Piece {
         }
     }
 
-    /// Calls `exert` with the parts in each of which one coordinate in the other body is the
-    /// lowest. Every part of the piece is passed on once: if all of it lies where two are equal, to
-    /// one of them.
-    fn divide(&self, exert: &mut impl FnMut(&Self, usize)) {
-        self.divide_from(0, 1, exert);
+    /// The part in which a coordinate in the other body is positive; the whole stays whole.
+    fn cut(&mut self, node: usize) {
+        let side = |corner: &Corner| corner.inside[node];
+        if self.corners().iter().all(|corner| side(corner) >= 0.0) {
+            return;
+        }
+        let whole = *self;
+        self.len = 0;
+        for (i, a) in whole.corners().iter().enumerate() {
+            let b = &whole.corners[if i + 1 == whole.len { 0 } else { i + 1 }];
+            let (here, there) = (side(a), side(b));
+            if here >= 0.0 {
+                self.push(*a);
+            }
+            if (here >= 0.0) != (there >= 0.0) {
+                self.push(Corner::between(a, b, here / (here - there)));
+            }
+        }
+    }
+
+    /// Adds the parts in each of which one coordinate in the other body is the lowest. Every part of
+    /// the piece counts once: if all of it lies where two are equal, for one of them.
+    fn add_to(&self, sums: &mut FaceSums) {
+        self.divide(0, 1, sums);
     }
 
     /// The same if `lowest` is the lowest of the coordinates before `next`.
-    fn divide_from(&self, lowest: usize, next: usize, exert: &mut impl FnMut(&Self, usize)) {
+    fn divide(&self, lowest: usize, next: usize, sums: &mut FaceSums) {
         if next == FACES.len() {
-            exert(self, lowest);
+            sums.add(self.corners(), lowest);
             return;
         }
-        let above = |corner: &Corner| corner.inside[lowest] - corner.inside[next];
-        let corners = self.corners();
-        let Some(start) = corners.iter().position(|corner| above(corner) <= ROUNDING) else {
-            return self.divide_from(next, next + 1, exert);
+        let mut heights = [0.0; MOST];
+        let (mut highest, mut start) = (f64::NEG_INFINITY, None);
+        for (i, corner) in self.corners().iter().enumerate() {
+            let height = corner.inside[lowest] - corner.inside[next];
+            heights[i] = height;
+            if height > highest {
+                highest = height;
+            }
+            if height <= ROUNDING && start.is_none() {
+                start = Some(i);
+            }
+        }
+        let Some(start) = start else {
+            return self.divide(next, next + 1, sums);
         };
-        if corners.iter().all(|corner| above(corner) <= ROUNDING) {
-            return self.divide_from(lowest, next + 1, exert);
+        if highest <= ROUNDING {
+            return self.divide(lowest, next + 1, sums);
         }
         // what is taken from the one part is what the other gets, wherever rounding puts the border
         let (mut kept, mut rest) = (Self::empty(), Self::empty());
-        for i in start..start + self.len {
-            let [a, b] = [i, i + 1].map(|i| &corners[i % self.len]);
-            let (here, there) = (above(a), above(b));
-            let [is_above, will_be] = [here, there].map(|height| height > ROUNDING);
+        let mut i = start;
+        for _ in 0..self.len {
+            let k = if i + 1 == self.len { 0 } else { i + 1 };
+            let [is_above, will_be] = [heights[i] > ROUNDING, heights[k] > ROUNDING];
             let part = if is_above { &mut rest } else { &mut kept };
-            part.push(*a);
+            part.push(self.corners[i]);
             if is_above != will_be {
-                let weight = here / (here - there);
-                let corner = Corner::between(a, b, weight.clamp(0.0, 1.0));
+                let weight = (heights[i] / (heights[i] - heights[k])).clamp(0.0, 1.0);
+                let corner = Corner::between(&self.corners[i], &self.corners[k], weight);
                 kept.push(corner);
                 rest.push(corner);
             }
             if is_above && !will_be {
-                rest.divide_from(next, next + 1, exert);
-                rest = Self::empty();
+                rest.divide(next, next + 1, sums);
+                rest.len = 0;
+            }
+            i = k;
+        }
+        kept.divide(lowest, next + 1, sums);
+    }
+}
+
+/// What is summed over a face, by its area.
+#[derive(Debug, Clone, Copy, Default)]
+struct FaceSums {
+    /// The area, where the potential acts.
+    share: f64,
+    /// The potential.
+    potential: f64,
+    /// The potential times the area coordinates of the face's first two nodes.
+    on_face: [f64; 2],
+    /// The potential times the first three volume coordinates in the other body.
+    inside: [f64; 3],
+}
+
+impl FaceSums {
+    /// Adds a polygon in which a coordinate is the lowest, as the triangles between its first
+    /// corner and each edge.
+    fn add(&mut self, corners: &[Corner], lowest: usize) {
+        for i in 2..corners.len() {
+            let triangle = [&corners[0], &corners[i - 1], &corners[i]];
+            let share = double_share(triangle);
+            let [p, q, r] = each!(3, |k| 4.0 * triangle[k].inside[lowest]);
+            let total = p + q + r;
+            let moment = |[a, b, c]: [f64; 3]| {
+                share * (total * (a + b + c) + (p * a + q * b + r * c)) / 12.0
+            };
+            self.share += share;
+            self.potential += share * total / 3.0;
+            for k in 0..2 {
+                self.on_face[k] += moment(each!(3, |i| triangle[i].on_face[k]));
+            }
+            for k in 0..3 {
+                self.inside[k] += moment(each!(3, |i| triangle[i].inside[k]));
             }
         }
-        kept.divide_from(lowest, next + 1, exert);
     }
+
+    /// The potential times the area coordinates of the face's nodes.
+    fn of_face(&self) -> [f64; 3] {
+        let [a, b] = self.on_face;
+        [a, b, self.potential - a - b]
+    }
+
+    /// The potential times the volume coordinates in the other body.
+    fn of_owner(&self) -> [f64; 4] {
+        let [a, b, c] = self.inside;
+        [a, b, c, self.potential - a - b - c]
+    }
+}
+
+/// A triangle's share of the face's area.
+fn double_share([a, b, c]: [&Corner; 3]) -> f64 {
+    let along = |p: &Corner| [p.on_face[0] - a.on_face[0], p.on_face[1] - a.on_face[1]];
+    let ([b0, b1], [c0, c1]) = (along(b), along(c));
+    b0 * c1 - b1 * c0
 }
 
 /// The faces of one tetrahedron in the potential of another.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
-pub(super) struct Pressed {
-    /// ∫P n N dA of each node of the one whose faces they are, n its outward normal, N its shape
-    /// function, m².
-    pub faces: [Vec3; 4],
-    /// The same with the shape functions of the other.
-    pub owner: [Vec3; 4],
-    /// ∫P dA over all faces, m².
-    pub pressure: f64,
+pub(super) struct OnFaces {
+    /// ∫P n N dA of each node, n the outward normal, N its shape function, m².
+    pub nodes: [Vec3; 4],
     /// Area on which the potential acts, m².
     pub area: f64,
+}
+
+impl OnFaces {
+    /// Adds a face with these nodes and this outward normal, as long as its area.
+    fn add(&mut self, nodes: [usize; 3], normal: &Vec3, sums: &FaceSums) {
+        for (node, moment) in nodes.into_iter().zip(sums.of_face()) {
+            self.nodes[node] += normal * moment;
+        }
+        self.area += sums.share * dot(normal, normal).sqrt();
+    }
+}
+
+/// The potential of one tetrahedron on the part that it shares with another.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Pressed {
+    /// The other's faces.
+    pub faces: OnFaces,
+    /// ∫P n N dA over them with the shape functions of the one whose potential it is, m².
+    pub owner: [Vec3; 4],
     /// ∫P dV over the part that both share, m³.
     pub volume_integral: f64,
 }
@@ -177,65 +279,60 @@ pub(super) fn press(bodies: [&Shape3; 2], common: &Common) -> [Pressed; 2] {
     let centroids = bodies.map(Shape3::centroid);
     for (of, opposite, corners) in common.faces() {
         let body = bodies[of];
-        let nodes = face_nodes(opposite);
+        let nodes = FACE_NODES[opposite];
         let mut piece = Piece::empty();
         for corner in corners {
             piece.push(Corner {
                 inside: corner.inside[1 - of],
-                on_face: nodes.map(|node| corner.inside[of][node]),
+                on_face: each!(2, |k| corner.inside[of][nodes[k]]),
             });
         }
+        let mut sums = FaceSums::default();
+        piece.add_to(&mut sums);
         // the potential of the body itself is 0 on its face
-        let whole: f64 = triangles(&piece).map(|triangle| share(&triangle)).sum();
-        pressed[of].volume_integral += whole * 0.75 * body.volume / 12.0;
+        pressed[of].volume_integral += sums.share * 0.75 * body.volume / 12.0;
         let normal = body.normal(opposite);
         let distance = dot(&(body.corners[nodes[0]] - centroids[1 - of]), &normal);
         let sum = &mut pressed[1 - of];
-        let [on_face, in_owner] = [&mut sum.faces, &mut sum.owner];
-        let (mut all, mut integral) = (0.0, 0.0);
-        piece.divide(&mut |part, lowest| {
-            for triangle in triangles(part) {
-                let share = share(&triangle);
-                let potential = triangle.map(|corner| 4.0 * corner.inside[lowest]);
-                let total = potential[0] + potential[1] + potential[2];
-                let moment = |values: [f64; 3]| {
-                    let mixed = potential[0] * values[0]
-                        + potential[1] * values[1]
-                        + potential[2] * values[2];
-                    share * (total * (values[0] + values[1] + values[2]) + mixed) / 12.0
-                };
-                for k in 0..3 {
-                    on_face[nodes[k]] += normal * moment(triangle.map(|corner| corner.on_face[k]));
-                }
-                for k in 0..4 {
-                    in_owner[k] += normal * moment(triangle.map(|corner| corner.inside[k]));
-                }
-                all += share;
-                integral += share * total / 3.0;
-            }
-        });
-        let area = dot(&normal, &normal).sqrt();
-        sum.pressure += integral * area;
-        sum.area += all * area;
-        sum.volume_integral += distance * (integral / 4.0 + all / 12.0);
+        sum.faces.add(nodes, &normal, &sums);
+        for (owner, moment) in sum.owner.iter_mut().zip(sums.of_owner()) {
+            *owner += normal * moment;
+        }
+        sum.volume_integral += distance * (sums.potential / 4.0 + sums.share / 12.0);
     }
     pressed
 }
 
-/// Nodes of the face opposite to a node.
-fn face_nodes(opposite: usize) -> [usize; 3] {
-    let face = FACES.into_iter().find(|face| face[3] == opposite);
-    face.map_or([0; 3], |[p, q, r, _]| [p, q, r])
+/// The faces of `body` in the potential of `owner`.
+pub(super) fn press_faces(owner: &Shape3, body: &Shape3) -> OnFaces {
+    let mut pressed = OnFaces::default();
+    let coordinates = each!(4, |i| owner.coordinates(&body.corners[i]));
+    for (opposite, nodes) in FACE_NODES.into_iter().enumerate() {
+        let lies_beyond = |i: usize| nodes.iter().all(|&node| coordinates[node][i] <= ROUNDING);
+        if (0..4).any(lies_beyond) {
+            continue;
+        }
+        let mut piece = Piece::empty();
+        for (k, &node) in nodes.iter().enumerate() {
+            let on_face = each!(2, |i| f64::from(u8::from(i == k)));
+            piece.push(Corner { inside: coordinates[node], on_face });
+        }
+        (0..4).for_each(|node| piece.cut(node));
+        let mut sums = FaceSums::default();
+        piece.add_to(&mut sums);
+        pressed.add(nodes, &body.normal(opposite), &sums);
+    }
+    pressed
 }
 
-/// The triangles between the first corner and each edge.
-fn triangles(piece: &Piece) -> impl Iterator<Item = [&Corner; 3]> {
-    let corners = piece.corners();
-    (2..corners.len()).map(move |i| [&corners[0], &corners[i - 1], &corners[i]])
-}
-
-/// A triangle's share of the face's area.
-fn share(triangle: &[&Corner; 3]) -> f64 {
-    let [a, b, c] = triangle.map(|corner| corner.on_face);
-    (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
-}
+/// Nodes of the face opposite to each node.
+const FACE_NODES: [[usize; 3]; 4] = {
+    let mut nodes = [[0; 3]; 4];
+    let mut face = 0;
+    while face < FACES.len() {
+        let [p, q, r, opposite] = FACES[face];
+        nodes[opposite] = [p, q, r];
+        face += 1;
+    }
+    nodes
+};

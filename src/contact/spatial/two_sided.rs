@@ -33,7 +33,7 @@ impl TwoSided {
             for i in 0..FACES.len() {
                 let held = body.gradients[i] * (stiffness * by.volume_integral);
                 let own = by.owner[i] * stiffness - held;
-                forces[owner][i] = own - pressed[1 - owner].faces[i] * stiffness;
+                forces[owner][i] = own - pressed[1 - owner].faces.nodes[i] * stiffness;
             }
         }
         Some(Self { forces, energy, pressed })
