@@ -66,6 +66,14 @@ fn impacts_keep_their_energy_at_recommended_steps_and_not_at_long_ones() {
 }
 
 #[test]
+fn impacts_in_space_keep_their_energy_the_better_the_shorter_the_step() {
+    let steps = [0.2, 0.1, 0.05];
+    let (p, errors) = order("impact-3d", Settings::default(), Parameter::TimeStep, &steps);
+    assert!(p > 0.8, "order {p}: {errors:?}");
+    assert!(errors[2] < 3e-4, "{errors:?}");
+}
+
+#[test]
 fn the_buffer_changes_cost_and_nothing_else() {
     let at = |buffer| solved("sliding-block", Settings::default().with(Parameter::Buffer, buffer));
     let (narrow, wide) = (at(0.01), at(0.4));

@@ -146,7 +146,7 @@ pub(super) enum InstabilityName {
 pub(super) enum ContactName {
     /// The original's: faces of the element with the higher number
     OneSided,
-    /// Faces of both, from a potential; has a defect: see Theory in the manual
+    /// Faces of both, from a potential: energy is kept, and numbering decides about nothing
     TwoSided,
 }
 

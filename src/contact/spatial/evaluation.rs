@@ -8,7 +8,7 @@ use super::{
     clearance3::{ALL_PAIRS, Asked, Clearance},
     friction3::{Contact, velocity},
     overlap3::{FaceForce, overlap, overlap_in},
-    potential::{Pressed, Shape3, press},
+    potential::{OnFaces, Shape3, press_faces},
     surfaces::Surfaces,
     two_sided::TwoSided,
     visits::{Visit, Visits},
@@ -70,7 +70,7 @@ impl Step<'_> {
         &self,
         visit: &Visit,
         bodies: [&Shape3; 2],
-        [on_contactor, on_target]: [Option<&Pressed>; 2],
+        [on_contactor, on_target]: [Option<&OnFaces>; 2],
         pair: &PairProperties,
     ) -> Option<([[Vec3; 4]; 2], Slip)> {
         let contact = Contact::new(bodies, on_contactor?, on_target, pair.penalty)?;
@@ -137,31 +137,39 @@ impl Chunk {
         let visit = &step.visits.list[couple as usize];
         let [target, contactor] = visit.participants.map(|place| place as usize);
         let pair = step.surfaces.pair(visit.rank);
-        let shapes = [target, contactor].map(|place| Shape3::new(bodies.targets[place].corners));
-        let shapes = [&shapes[0], &shapes[1]];
+        let shape = |place: usize| Shape3::new(bodies.targets[place].corners);
         let before = self.exerted.len();
+        // what friction sees: shapes, and the faces under pressure of contactor and target
         let mut pressed = None;
         match step.law.pressed {
             PressedFaces::Contactor => {
-                let (target, contactor) = (&bodies.targets[target], &bodies.contactors[contactor]);
-                overlap(target, contactor, step.visits.active(couple), pair.penalty, |force| {
-                    self.exerted.push((visit.participants, Exerted::Faces(force)));
-                });
+                overlap(
+                    &bodies.targets[target],
+                    &bodies.contactors[contactor],
+                    step.visits.active(couple),
+                    pair.penalty,
+                    |force| self.exerted.push((visit.participants, Exerted::Faces(force))),
+                );
                 if step.law.has_friction && self.exerted.len() > before {
-                    pressed = Some([Some(press(shapes[0], shapes[1])), None]);
+                    let shapes = [shape(target), shape(contactor)];
+                    let on_contactor = press_faces(&shapes[0], &shapes[1]);
+                    pressed = Some((shapes, [Some(on_contactor), None]));
                 }
             }
             PressedFaces::Both => {
-                if let Some(both) = TwoSided::new(shapes, pair.penalty) {
+                let shapes = [shape(target), shape(contactor)];
+                if let Some(both) = TwoSided::new([&shapes[0], &shapes[1]], pair.penalty) {
                     self.exerted.push((visit.participants, Exerted::Bodies(both.forces)));
-                    pressed = Some(both.pressed.map(Some));
+                    pressed = Some((shapes, both.pressed.map(|side| Some(side.faces))));
                 }
             }
         }
         if step.law.has_friction {
-            let pressed = pressed.unwrap_or_default();
-            let pressed = [pressed[0].as_ref(), pressed[1].as_ref()];
-            let (forces, slip) = step.friction(visit, shapes, pressed, &pair).unzip();
+            let friction = pressed.and_then(|(shapes, on_faces)| {
+                let on_faces = [on_faces[0].as_ref(), on_faces[1].as_ref()];
+                step.friction(visit, [&shapes[0], &shapes[1]], on_faces, &pair)
+            });
+            let (forces, slip) = friction.unzip();
             if let Some(forces) = forces {
                 self.exerted.push((visit.participants, Exerted::Bodies(forces)));
             }

@@ -8,7 +8,7 @@
 
 use super::{
     FACES, Slip, Vec3, dot,
-    potential::{Pressed, Shape3},
+    potential::{OnFaces, Shape3},
     two_sided::FACTOR,
 };
 use crate::scene::PairProperties;
@@ -31,8 +31,8 @@ impl Contact {
     /// faces of the target in that of the contactor.
     pub fn new(
         [target, contactor]: [&Shape3; 2],
-        on_contactor: &Pressed,
-        on_target: Option<&Pressed>,
+        on_contactor: &OnFaces,
+        on_target: Option<&OnFaces>,
         penalty: f64,
     ) -> Option<Self> {
         let mut sum = Vec3::zeros();
@@ -44,7 +44,7 @@ impl Contact {
             let Some(pressed) = pressed else { continue };
             area += pressed.area;
             for i in 0..FACES.len() {
-                let force = pressed.faces[i] * sign;
+                let force = pressed.nodes[i] * sign;
                 let size = dot(&force, &force).sqrt();
                 sum += force;
                 centre += body.corners[i] * size;

@@ -13,6 +13,7 @@
 
 mod bodies;
 mod clearance3;
+mod common;
 mod detection;
 mod evaluation;
 mod frame;

@@ -39,3 +39,28 @@ pub fn overlapping() -> impl Strategy<Value = [[Vec3; 4]; 2]> {
 pub fn neighbours() -> impl Strategy<Value = [[Vec3; 4]; 2]> {
     (overlapping(), vector()).prop_map(|([a, b], apart)| [a, b.map(|x| x + apart * 2.5)])
 }
+
+/// Two that have a plane in common: a face of the second lies, but for rounding, in that of a face
+/// of the first, or in the plane of one of its edges and its centroid. They may have nodes in
+/// common and lie on either side of the plane.
+pub fn in_one_plane() -> impl Strategy<Value = [[Vec3; 4]; 2]> {
+    let weight = prop_oneof![Just(0.0), Just(1.0), number(), number().prop_map(f64::abs)];
+    let place = [weight.clone(), weight];
+    (tetrahedron(), 0usize..6, 0usize..3, [place.clone(), place.clone(), place], vector())
+        .prop_map(|(first, plane, turn, places, apex)| {
+            let centroid = first.iter().sum::<Vec3>() / 4.0;
+            let [p, q, r] = if plane < 4 {
+                [1, 2, 3].map(|k| first[(plane + k) % 4])
+            } else {
+                [first[turn], first[plane - 2], centroid]
+            };
+            let [a, b, c] = places.map(|[v, w]| p * v + q * w + r * (1.0 - v - w));
+            let mut second = [a, b, c, apex];
+            second.rotate_left(turn);
+            if volume(&second) < 0.0 {
+                second.swap(1, 2);
+            }
+            [first, second]
+        })
+        .prop_filter("flat", |[_, second]| volume(second) > 0.1)
+}

@@ -1,5 +1,6 @@
 use super::{
     FACES, Vec3,
+    common::Common,
     potential::{Pressed, Shape3, press},
 };
 
@@ -19,37 +20,53 @@ pub(super) struct TwoSided {
 
 impl TwoSided {
     /// Of two tetrahedra with a penalty, Pa; none if they have nothing in common.
+    ///
+    /// The same bits come out whichever body is the first.
     pub fn new(bodies: [&Shape3; 2], penalty: f64) -> Option<Self> {
-        let [first, second] = bodies;
-        if first.excludes(second) || second.excludes(first) {
-            return None;
-        }
-        let pressed = [press(first, second), press(second, first)];
+        let pressed = pressed_both(bodies)?;
         let stiffness = FACTOR * penalty;
         let mut forces = [[Vec3::zeros(); 4]; 2];
         let mut energy = 0.0;
         for owner in 0..2 {
             let (body, by) = (bodies[owner], &pressed[owner]);
-            // the owner's own faces inside the other close the volume
-            let of_faces = &pressed[1 - owner].share;
-            let own: f64 = of_faces.iter().map(|share| share * 0.75 * body.volume / 12.0).sum();
-            let integral = by.volume_integral + own;
-            energy += stiffness * integral;
-            // one sum of two, so that the same bits come out whichever body is the first
+            energy += stiffness * by.volume_integral;
             for i in 0..FACES.len() {
-                let held = body.gradients[i] * (stiffness * integral);
+                let held = body.gradients[i] * (stiffness * by.volume_integral);
                 let own = by.owner[i] * stiffness - held;
-                forces[owner][i] = own - pressed[1 - owner].faces[i] * stiffness;
+                forces[owner][i] = own - pressed[1 - owner].faces.nodes[i] * stiffness;
             }
         }
         Some(Self { forces, energy, pressed })
     }
 }
 
+/// The faces of the second of two bodies in the potential of the first, and of the first in that
+/// of the second; none if they have nothing in common.
+pub(super) fn pressed_both(bodies: [&Shape3; 2]) -> Option<[Pressed; 2]> {
+    let [first, second] = bodies;
+    if first.excludes(second) || second.excludes(first) {
+        return None;
+    }
+    // rounding must not depend on which is the first of the couple: let their places decide
+    if comes_before(second, first) {
+        let bodies = [second, first];
+        let [of_second, of_first] = press(bodies, &Common::of(bodies)?);
+        Some([of_first, of_second])
+    } else {
+        Some(press(bodies, &Common::of(bodies)?))
+    }
+}
+
+/// Whether a body comes before another in an order that only their corners decide about.
+fn comes_before(one: &Shape3, other: &Shape3) -> bool {
+    let coordinates = |body: &Shape3| body.corners.map(|x| [x.x, x.y, x.z]);
+    coordinates(one) < coordinates(other)
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::contact::spatial::samples::{number, overlapping, vector};
+    use crate::contact::spatial::samples::{in_one_plane, number, overlapping, vector};
     use proptest::prelude::*;
 
     fn exerted(corners: &[[Vec3; 4]; 2]) -> Option<TwoSided> {
@@ -81,6 +98,25 @@ mod tests {
             }
         }
 
+        /// The same where faces lie in one plane and bodies share nodes, as those of a mesh do.
+        #[test]
+        fn forces_are_the_gradient_where_planes_coincide(corners in in_one_plane()) {
+            let step = 1e-6;
+            let exerted = exerted(&corners);
+            for t in 0..2 {
+                for i in 0..4 {
+                    for k in 0..3 {
+                        let (mut before, mut after) = (corners, corners);
+                        before[t][i][k] -= step;
+                        after[t][i][k] += step;
+                        let slope = (energy(&after) - energy(&before)) / (2.0 * step);
+                        let force = exerted.map_or(0.0, |both| both.forces[t][i][k]);
+                        prop_assert!((force + slope).abs() < 1e-4, "{} {}", force, -slope);
+                    }
+                }
+            }
+        }
+
         /// The two bodies may change places: numbering decides about nothing.
         #[test]
         fn no_body_comes_first(corners in overlapping()) {
@@ -90,6 +126,20 @@ mod tests {
                     prop_assert_eq!(one.forces, [other.forces[1], other.forces[0]]);
                 }
                 (one, other) => prop_assert_eq!(one, other),
+            }
+        }
+
+        /// Nor does a node, but for rounding.
+        #[test]
+        fn no_node_comes_first(corners in in_one_plane()) {
+            let turned = corners.map(|[a, b, c, d]| [b, d, c, a]);
+            let forces = |corners| exerted(corners).map_or([[Vec3::zeros(); 4]; 2], |f| f.forces);
+            let (here, there) = (forces(&corners), forces(&turned));
+            for t in 0..2 {
+                for (i, k) in [(0, 3), (1, 0), (2, 2), (3, 1)] {
+                    let difference = here[t][i] - there[t][k];
+                    prop_assert!(difference.norm() < 1e-11, "{difference}");
+                }
             }
         }
 
