@@ -60,6 +60,20 @@ fn worked_numbers_of_the_description() {
     }
 }
 
+/// By how much forces may differ that are computed another way. The law passes over what reaches less
+/// than its tolerance of 1e-10 into the other body, whatever the area: rounding decides which side of
+/// it a corner is on, and a force of 1e-10 times penalty and area comes or goes (both are at most
+/// about 1 here).
+fn unevenness(forces: &[Vec3; 8]) -> f64 {
+    let largest = forces.iter().map(|f| f.norm()).fold(0.0, f64::max);
+    1e-5 * largest + 1e-9
+}
+
+/// The sum over the target's nodes.
+fn on_target(forces: &[Vec3; 8]) -> Vec3 {
+    forces[..4].iter().sum()
+}
+
 /// Some nodes of the contactor become nodes of the target.
 fn shared(corners: [[Vec3; 4]; 2], count: usize) -> ([[u32; 4]; 2], [[Vec3; 4]; 2]) {
     let (mut nodes, mut corners) = ([[0, 1, 2, 3], [4, 5, 6, 7]], corners);
@@ -124,16 +138,18 @@ proptest! {
         prop_assert!(total.norm() <= 1e-9 * largest.max(1e-9), "{total} of {largest}");
     }
 
-    /// Both bodies moved together exert the same but for rounding.
+    /// Both bodies moved together exert the same but for rounding. What each node of the target bears
+    /// is left to rounding where a face is seen from the side, not their sum.
     #[test]
     fn the_place_does_not_matter(corners in overlapping(), far in vector()) {
         let here = on_nodes(&exerted(&corners, ALL_PAIRS, 1.0));
         let moved = corners.map(|body| body.map(|x| x + far * 8.0));
         let there = on_nodes(&exerted(&moved, ALL_PAIRS, 1.0));
-        let largest = here.iter().map(|f| f.norm()).fold(1e-6, f64::max);
-        for (here, there) in here.iter().zip(&there) {
-            prop_assert!((here - there).norm() < 1e-5 * largest);
+        let uneven = unevenness(&here);
+        for i in 4..8 {
+            prop_assert!((here[i] - there[i]).norm() < uneven, "{i}: {here:?} {there:?}");
         }
+        prop_assert!((on_target(&here) - on_target(&there)).norm() < uneven);
     }
 
     /// A contactor renumbered without turning it inside out feels the same. What each node of the
@@ -143,12 +159,11 @@ proptest! {
         let here = on_nodes(&exerted(&corners, ALL_PAIRS, 1.0));
         let [target, [a, b, c, d]] = corners;
         let renumbered = on_nodes(&exerted(&[target, [b, c, a, d]], ALL_PAIRS, 1.0));
-        let largest = here.iter().map(|f| f.norm()).fold(1e-6, f64::max);
+        let uneven = unevenness(&here);
         for (i, k) in [(4, 6), (5, 4), (6, 5), (7, 7)] {
-            prop_assert!((here[i] - renumbered[k]).norm() < 1e-5 * largest);
+            prop_assert!((here[i] - renumbered[k]).norm() < uneven);
         }
-        let sum = |forces: &[Vec3; 8]| forces[..4].iter().sum::<Vec3>();
-        prop_assert!((sum(&here) - sum(&renumbered)).norm() < 1e-5 * largest);
+        prop_assert!((on_target(&here) - on_target(&renumbered)).norm() < uneven);
     }
 
     #[test]
