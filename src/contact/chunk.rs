@@ -249,7 +249,7 @@ impl Evaluation<'_, '_> {
                 }
                 if step.is_beyond(four.couples[lane]) {
                     dropped.push(couple as u32);
-                } else if step.rests && couples.respites.ask[couple] <= step.evaluation {
+                } else if step.rests && step.may_ask(&couples.respites, couple) {
                     step.ask(&mut couples.facing[couple], &mut couples.respites, couple);
                 }
             }

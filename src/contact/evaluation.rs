@@ -10,17 +10,19 @@ use super::{
     facing::Facing,
     friction::PairTable,
     placement::Placement,
-    respites::{RespitesMut, rounded_down},
+    respites::{RespitesMut, is_due, rounded_down},
     sliding::Sliding,
     visits::{Chains, Visit},
 };
 use crate::{lanes::each, mechanics::Vec2, team::Team};
 use std::iter::once;
 
-/// A couple that could not be let rest is asked again after so many evaluations.
-const PATIENCE: u32 = 64;
+/// Evaluations in a turn.
+const TURN: u32 = 64;
+/// A couple that could not be let rest is asked again after so many turns.
+const PATIENCE: u16 = 1;
 /// The same for a couple that touches at a point, as bonded neighbours do.
-const PATIENCE_TOUCHING: u32 = 512;
+const PATIENCE_TOUCHING: u16 = 8;
 /// Facing edges that do not tell are chosen anew in one of so many evaluations.
 const PATIENCE_FACING: u32 = 32;
 
@@ -55,7 +57,19 @@ pub(super) struct Step<'a> {
     pub evaluation: u32,
 }
 
+/// The turn of an evaluation.
+#[inline(always)]
+pub(super) fn turn(evaluation: u32) -> u16 {
+    (evaluation / TURN) as u16
+}
+
 impl Step<'_> {
+    /// Whether a couple may be asked again whether it can rest.
+    #[inline(always)]
+    pub fn may_ask(&self, respites: &RespitesMut<'_>, index: usize) -> bool {
+        is_due(respites.ask[index], turn(self.evaluation))
+    }
+
     /// Path up to which a couple rests that may do so while no node moves further than `free`;
     /// none if that is not worth it for some steps or not resolved by the sum of the path.
     #[inline(always)]
@@ -72,7 +86,7 @@ impl Step<'_> {
     /// Whether couples that did not touch are asked whether they can rest, those that may be.
     #[inline(always)]
     pub fn asks_all(&self) -> bool {
-        self.evaluation.is_multiple_of(PATIENCE)
+        self.evaluation.is_multiple_of(TURN)
     }
 
     #[inline(always)]
@@ -97,7 +111,7 @@ impl Step<'_> {
             respites.rest[index] = path;
         } else {
             let patience = if rest == 0.0 { PATIENCE_TOUCHING } else { PATIENCE };
-            respites.ask[index] = self.evaluation.saturating_add(patience);
+            respites.ask[index] = turn(self.evaluation).wrapping_add(patience);
         }
         if let Some(path) = self.rest(stay) {
             respites.stay[index] = path;
@@ -108,7 +122,7 @@ impl Step<'_> {
     /// The same for a couple whose facing edges did not tell that it has none.
     #[inline(always)]
     pub fn ask_later(&self, facing: &mut Facing, respites: &mut RespitesMut<'_>, index: usize) {
-        if respites.ask[index] <= self.evaluation {
+        if self.may_ask(respites, index) {
             self.ask(facing, respites, index);
         } else if self.evaluation.wrapping_add(facing.turn()).is_multiple_of(PATIENCE_FACING) {
             self.face(facing, respites, index);

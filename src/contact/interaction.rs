@@ -6,7 +6,7 @@ use super::{
     bonds::Bonds,
     couples::CoupleList,
     detection::{Detector, Participants},
-    evaluation::{Evaluator, Step},
+    evaluation::{Evaluator, Step, turn},
     friction::PairTable,
     in_order::{FractureFaces, Tally, evaluate_in_order},
     respites::Respites,
@@ -19,7 +19,10 @@ use crate::{
     team::Team,
 };
 use serde::{Deserialize, Serialize};
-use std::sync::atomic::{AtomicU64, Ordering};
+use std::{
+    ops::Range,
+    sync::atomic::{AtomicU64, Ordering},
+};
 
 /// From so many nodes on, threads pay for the search of the fastest: about 5 µs of work for one.
 const PARALLEL_FROM: usize = 4096;
@@ -74,8 +77,8 @@ pub struct Contact {
     advance: f64,
     /// Whether separated couples may rest.
     rests: bool,
-    /// Nodes of elements that take part in contact.
-    moving_nodes: Vec<u32>,
+    /// Nodes of elements that take part in contact, in runs of numbers.
+    moving_nodes: Vec<Range<u32>>,
     work: CoupleWork,
     /// Steps in which couples were evaluated, up to the largest number.
     evaluations: u32,
@@ -171,15 +174,22 @@ impl Contact {
         self.pairs = PairTable::new(materials, &self.settings.pairs)
             .with_fractures(scene.fracture_network.as_ref());
         self.is_chained = scene.conventions.after_drop == ChainAfterDrop::NextLosesSliding;
-        self.moving_nodes.clear();
+        let mut moves = vec![false; scene.nodes.len()];
         for element in 0..elements.len() {
             let property = elements.property[element];
             if self.pairs.rank(property, property).is_some() {
-                self.moving_nodes.extend(elements.corners::<3>(element).map(|n| n as u32));
+                elements.corners::<3>(element).into_iter().for_each(|node| moves[node] = true);
             }
         }
-        self.moving_nodes.sort_unstable();
-        self.moving_nodes.dedup();
+        let mut first = 0;
+        self.moving_nodes.clear();
+        for alike in moves.chunk_by(|a, b| a == b) {
+            let end = first + alike.len() as u32;
+            if alike[0] {
+                self.moving_nodes.push(first..end);
+            }
+            first = end;
+        }
         // a rigid triangle's nodes may move further than their velocities tell
         let jumps = |m: &Material| m.kind == ElementKind::RigidTriangle || m.is_excavated;
         self.rests &= !materials.iter().any(jumps);
@@ -281,21 +291,21 @@ impl Contact {
 
     /// Square of the largest velocity of a node that takes part, m²/s².
     fn fastest_squared(&self, nodes: &Nodes<2>, team: &Team) -> f64 {
-        let fastest_of = |part: &[u32]| {
-            part.iter().fold(0.0, |fastest, &node| {
-                let v = nodes.velocity[node as usize];
+        let fastest_of = |velocities: &[Vec2]| {
+            velocities.iter().fold(0.0, |fastest, v| {
                 let squared = v.x * v.x + v.y * v.y;
                 if squared > fastest { squared } else { fastest }
             })
         };
-        let moving = &self.moving_nodes[..];
-        if team.size() == 1 || moving.len() < PARALLEL_FROM {
-            return fastest_of(moving);
+        let runs = self.moving_nodes.iter();
+        let runs = runs.map(|run| &nodes.velocity[run.start as usize..run.end as usize]);
+        if team.size() == 1 || nodes.len() < PARALLEL_FROM {
+            return runs.map(fastest_of).fold(0.0, f64::max);
         }
         // numbers from zero up compare as their bits do
         let fastest = AtomicU64::new(0);
-        let parts = moving.chunks(moving.len().div_ceil(team.size()));
-        team.share(parts, |part| {
+        let part = nodes.len().div_ceil(team.size());
+        team.share(runs.flat_map(|run| run.chunks(part)), |part| {
             fastest.fetch_max(fastest_of(part).to_bits(), Ordering::Relaxed);
         });
         f64::from_bits(fastest.into_inner())
@@ -303,7 +313,8 @@ impl Contact {
 
     /// Lists the couples as they were stored; paths count from now on.
     fn list_couples(&mut self, elements: &Elements) {
-        self.visits.sort(&self.couples, &self.pairs, elements, self.is_chained);
+        let now = turn(self.evaluations);
+        self.visits.sort(&self.couples, &self.pairs, elements, self.is_chained, now);
         self.path = 0.0;
     }
 

@@ -19,8 +19,8 @@ pub(super) struct Respites {
     pub face: Vec<f32>,
     /// How far the facing edges may reach into each other until then, twice an area, m².
     pub limit: Vec<f32>,
-    /// Evaluation from which on it may be asked again whether it can rest.
-    pub ask: Vec<u32>,
+    /// Turn from which on it may be asked again whether it can rest ([`is_due`]).
+    pub ask: Vec<u16>,
     /// Edges cut in the last evaluation, a bit each.
     pub edges: Vec<u8>,
 }
@@ -29,6 +29,12 @@ pub(super) struct Respites {
 pub(super) fn rounded_down(path: f64) -> f32 {
     let rounded = path as f32;
     if f64::from(rounded) > path { rounded.next_down() } else { rounded }
+}
+
+/// Whether a turn has come. Turns are counted round: half of them lie behind, half ahead.
+#[inline(always)]
+pub(super) fn is_due(ask: u16, turn: u16) -> bool {
+    turn.wrapping_sub(ask) < u16::MAX / 2
 }
 
 impl Respites {
@@ -46,14 +52,14 @@ impl Respites {
         RespitesMut { rest, stay, face, limit, ask, edges }
     }
 
-    /// Those of so many couples of which nothing is known.
-    pub fn reset(&mut self, couples: usize) {
+    /// Those of so many couples of which nothing is known; they may be asked in this turn.
+    pub fn reset(&mut self, couples: usize, turn: u16) {
         for paths in [&mut self.rest, &mut self.stay, &mut self.face, &mut self.limit] {
             paths.clear();
             paths.resize(couples, 0.0);
         }
         self.ask.clear();
-        self.ask.resize(couples, 0);
+        self.ask.resize(couples, turn);
         self.edges.clear();
         self.edges.resize(couples, 0);
     }
@@ -79,7 +85,7 @@ pub(super) struct RespitesMut<'a> {
     pub stay: &'a mut [f32],
     pub face: &'a mut [f32],
     pub limit: &'a mut [f32],
-    pub ask: &'a mut [u32],
+    pub ask: &'a mut [u16],
     pub edges: &'a mut [u8],
 }
 
@@ -100,7 +106,7 @@ impl RespitesMut<'_> {
 /// Parts of the arrays of [`RespitesMut`], as zipped iterators give them.
 type Zipped<'a> = (
     ((&'a mut [f32], &'a mut [f32]), (&'a mut [f32], &'a mut [f32])),
-    (&'a mut [u32], &'a mut [u8]),
+    (&'a mut [u16], &'a mut [u8]),
 );
 
 impl<'a> RespitesMut<'a> {
@@ -131,7 +137,13 @@ impl<'a> RespitesMut<'a> {
 
 #[cfg(test)]
 mod tests {
-    use super::rounded_down;
+    use super::{is_due, rounded_down};
+
+    #[test]
+    fn turns_come_in_order_also_where_they_begin_anew() {
+        assert!(is_due(5, 5) && is_due(5, 6) && !is_due(6, 5));
+        assert!(is_due(u16::MAX, 2) && !is_due(3, u16::MAX));
+    }
 
     #[test]
     fn paths_are_never_rounded_up() {

@@ -10,6 +10,7 @@
 use super::couples::CoupleList;
 use crate::TOLERANCE;
 use nalgebra::SVector;
+use std::cmp::Reverse;
 
 /// Cells farther out than this count as this one, so that their neighbours have numbers, too.
 const OUTERMOST_CELL: f64 = 4e18;
@@ -24,13 +25,17 @@ pub(super) struct Ball<const D: usize> {
     pub tag: i32,
     pub centre: SVector<f64, D>,
     pub radius: f64,
-    /// x, y, z; 0 for a dimension that is not there.
-    cell: [i64; 3],
+    cell: [i64; D],
 }
 
 impl<const D: usize> Ball<D> {
     pub fn new(element: u32, tag: i32, centre: SVector<f64, D>, radius: f64) -> Self {
-        Self { element, tag, centre, radius, cell: [0; 3] }
+        Self { element, tag, centre, radius, cell: [0; D] }
+    }
+
+    /// Number of the cell along x, y or z; 0 along a dimension that is not there.
+    fn cell_along(&self, axis: usize) -> i64 {
+        self.cell.get(axis).copied().unwrap_or(0)
     }
 }
 
@@ -116,8 +121,7 @@ impl<const D: usize> Sweep<D> {
             }
         }
         self.balls.sort_unstable_by_key(|ball| {
-            let [x, y, z] = ball.cell;
-            (z, y, x, std::cmp::Reverse(ball.element))
+            (ball.cell_along(2), ball.cell_along(1), ball.cell[0], Reverse(ball.element))
         });
         self.layers.clear();
         spans(&self.balls, 0..self.balls.len(), 2, |ball| ball.element, u32::min, &mut self.layers);
@@ -142,7 +146,7 @@ impl<const D: usize> Sweep<D> {
         }
         visits.clear();
         visits.extend(0..rows.len() as u32);
-        visits.sort_unstable_by_key(|&row| std::cmp::Reverse(rows[row as usize].key));
+        visits.sort_unstable_by_key(|&row| Reverse(rows[row as usize].key));
     }
 
     fn list_cells(&mut self, row: usize) {
@@ -206,9 +210,9 @@ fn spans<const D: usize>(
     into: &mut Vec<Span>,
 ) {
     let mut start = range.start;
-    for span in balls[range].chunk_by(|a, b| a.cell[axis] == b.cell[axis]) {
+    for span in balls[range].chunk_by(|a, b| a.cell_along(axis) == b.cell_along(axis)) {
         let key = span.iter().map(&number).reduce(&choose).unwrap_or(0);
-        into.push(Span { cell: span[0].cell[axis], key, start, end: start + span.len() });
+        into.push(Span { cell: span[0].cell_along(axis), key, start, end: start + span.len() });
         start += span.len();
     }
 }

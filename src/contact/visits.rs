@@ -153,13 +153,15 @@ impl Visits {
     }
 
     /// Lists the couples anew: by material pair, then contactor, then newest
-    /// first. What the old list holds must have been stored.
+    /// first. What the old list holds must have been stored. They may be asked in this turn
+    /// whether they can rest.
     pub fn sort(
         &mut self,
         couples: &CoupleList<Kept>,
         pairs: &PairTable,
         elements: &Elements,
         are_chained: bool,
+        turn: u16,
     ) {
         let property = |e: u32| elements.property[e as usize];
         let contactors = 0..elements.len() as u32;
@@ -183,7 +185,7 @@ impl Visits {
         let count = count as usize;
         self.list.resize(count, Visit::default());
         self.facing.resize(count, Facing::default());
-        self.respites.reset(count);
+        self.respites.reset(count, turn);
         self.dropped.clear();
         self.dropped.reserve(count);
         self.sliding.reserve(couples.slots());

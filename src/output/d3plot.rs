@@ -44,18 +44,18 @@ impl State {
         let nodes = |values: &[nalgebra::Vector2<f64>]| {
             values[..shown.nodes].iter().map(|v| [v.x as f32, v.y as f32]).collect()
         };
-        let stress = |&element: &usize| {
-            let stress = simulation.stresses()[element];
+        let stress = |element: usize| {
+            let stress = simulation.stresses().get(element).copied().unwrap_or_default();
             [stress[(0, 0)], stress[(1, 1)], stress[(0, 1)]].map(|component| component as f32)
         };
-        let material = |&element: &usize| material_number(scene, element) as f32;
+        let material = |element: usize| material_number(scene, element) as f32;
         Self {
             time: simulation.time(),
             kinetic_energy: simulation.previous_kinetic_energy(),
             coordinates: nodes(&scene.nodes.current),
             velocities: nodes(&scene.nodes.velocity),
-            stresses: shown.elements.iter().map(stress).collect(),
-            deletion_table: shown.elements.iter().map(material).collect(),
+            stresses: shown.elements().map(stress).collect(),
+            deletion_table: shown.elements().map(material).collect(),
         }
     }
 }
@@ -102,7 +102,7 @@ impl D3plotOutput {
             shells: shells.collect(),
             ..Geometry::default()
         };
-        self.0.open(control, &geometry, elements, [scene.nodes.len(), scene.elements.len()])
+        self.0.open(control, &geometry, &elements, [scene.nodes.len(), scene.elements.len()])
     }
 }
 

@@ -31,7 +31,7 @@ pub(super) struct OpenFamily {
     writer: Arc<Mutex<FamilyWriter>>,
     per_file: u64,
     /// Elements shown: chosen at the first state, kept to the end.
-    pub elements: Vec<usize>,
+    elements: Vec<u32>,
     /// Nodes announced in the control block; later ones have no place in the family.
     pub nodes: usize,
 }
@@ -66,13 +66,14 @@ impl Family {
         &mut self,
         control: ControlBlock,
         geometry: &Geometry,
-        elements: Vec<usize>,
+        elements: &[usize],
         total: [usize; 2],
     ) -> Result<(), OutputError> {
         let control = if self.legacy { control.legacy() } else { control };
         let [nodes, all_elements] = total;
         let per_file = states_per_file(nodes, all_elements);
         let writer = FamilyWriter::create(&self.names.d3plot(), control, geometry, per_file)?;
+        let elements = elements.iter().map(|&e| e as u32).collect();
         self.open = Some(OpenFamily::new(writer, per_file, elements, nodes));
         Ok(())
     }
@@ -124,8 +125,13 @@ impl Family {
 }
 
 impl OpenFamily {
-    fn new(writer: FamilyWriter, per_file: u64, elements: Vec<usize>, nodes: usize) -> Self {
+    fn new(writer: FamilyWriter, per_file: u64, elements: Vec<u32>, nodes: usize) -> Self {
         Self { writer: Arc::new(Mutex::new(writer)), per_file, elements, nodes }
+    }
+
+    /// The elements shown.
+    pub fn elements(&self) -> impl Iterator<Item = usize> {
+        self.elements.iter().map(|&e| e as usize)
     }
 }
 
@@ -157,7 +163,7 @@ impl Continuation {
             states_in_file: mark.states_in_file,
             position: mark.file.into(),
             per_file: family.per_file,
-            elements: family.elements.iter().map(|&e| e as u32).collect(),
+            elements: family.elements.clone(),
             nodes: family.nodes as u32,
         })
     }
@@ -168,9 +174,8 @@ impl Continuation {
         let Ok(control) = <&[u8; ControlBlock::BYTES]>::try_from(self.control.as_slice()) else {
             return Err(unusable);
         };
-        let elements: Vec<usize> = self.elements.iter().map(|&e| e as usize).collect();
         let nodes = self.nodes as usize;
-        if elements.iter().any(|&e| e >= total[1])
+        if self.elements.iter().any(|&e| e as usize >= total[1])
             || nodes > total[0]
             || self.states_in_file > self.per_file.max(1)
         {
@@ -187,6 +192,6 @@ impl Continuation {
             WriteError::Io { path, source } => OutputError::Changed { path, source },
             other => other.into(),
         })?;
-        Ok(OpenFamily::new(writer, self.per_file, elements, nodes))
+        Ok(OpenFamily::new(writer, self.per_file, self.elements.clone(), nodes))
     }
 }

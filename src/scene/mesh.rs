@@ -110,6 +110,13 @@ impl Elements {
         self.property.is_empty()
     }
 
+    /// Number of elements up to the last one that is no joint: those beyond have no stress.
+    #[must_use]
+    pub fn stressed(&self) -> usize {
+        let is_body = |kind: &JointKind| *kind == JointKind::NoJoint;
+        self.joint_kind.iter().rposition(is_body).map_or(0, |last| last + 1)
+    }
+
     /// The first `N` node numbers of an element as indices.
     ///
     /// Validation guarantees that every element that takes part has them; a

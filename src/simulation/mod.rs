@@ -131,7 +131,8 @@ pub struct Simulation {
     force: Vec<Vec2>,
     /// Nodal masses, kg.
     mass: Vec<f64>,
-    /// Cauchy stress of each element, Pa, in the last step that needed it.
+    /// Cauchy stress of each element up to the last that has one, Pa, in the last step that
+    /// needed it.
     stress: Vec<Matrix2<f64>>,
     stress_use: StressUse,
     /// Shear strength of joints and shrink ratio of softening triangles.
@@ -332,7 +333,7 @@ impl Simulation {
         self.plan = Plan::new(&self.scene);
         self.force.resize(self.scene.nodes.len(), Vec2::zeros());
         self.mass.resize(self.scene.nodes.len(), 0.0);
-        self.stress.resize(self.scene.elements.len(), Matrix2::zeros());
+        self.stress.resize(self.scene.elements.stressed(), Matrix2::zeros());
         self.strength.resize(self.scene.elements.len(), 0.0);
         self.mass.copy_from_slice(&self.plan.nodal_mass);
         if self.watches_contact {

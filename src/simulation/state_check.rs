@@ -59,11 +59,12 @@ fn check_elements(state: &SimulationState, scene: &Scene) -> Result<(), StateFau
         elements.fracture.len(),
         elements.sides.len(),
         elements.contact_tag.len(),
-        state.stress.len(),
         state.strength.len(),
     ];
     require(
-        lengths.iter().all(|&l| l == len) && elements.state.iter().all(|row| row.len() == len),
+        lengths.iter().all(|&l| l == len)
+            && state.stress.len() == elements.stressed()
+            && elements.state.iter().all(|row| row.len() == len),
         "values of elements are missing",
     )?;
     require(

@@ -71,8 +71,8 @@ impl Simulation {
         self.stress_use = stress_use;
     }
 
-    /// Cauchy stresses of the last evaluation, one per element, Pa, if
-    /// [`Self::keep_stresses`] has not said that nobody wants to know.
+    /// Cauchy stresses of the last evaluation, one per element up to the last that is no joint, Pa,
+    /// if [`Self::keep_stresses`] has not said that nobody wants to know.
     #[must_use]
     pub fn stresses(&self) -> &[Matrix2<f64>] {
         &self.stress

@@ -53,20 +53,20 @@ impl State {
             let single = |v: &Vec3| [v.x as f32, v.y as f32, v.z as f32];
             values[..shown.nodes].iter().map(single).collect()
         };
-        let stress = |&element: &usize| {
+        let stress = |element: usize| {
             let s = simulation.stress(element);
             [s[(0, 0)], s[(1, 1)], s[(2, 2)], s[(0, 1)], s[(1, 2)], s[(0, 2)]]
                 .map(|component| component as f32)
         };
-        let material = |&element: &usize| material_number(scene, element) as f32;
+        let material = |element: usize| material_number(scene, element) as f32;
         Self {
             time: simulation.time(),
             kinetic_energy: simulation.previous_kinetic_energy(),
             coordinates: nodes(&scene.nodes.current),
             velocities: nodes(&scene.nodes.velocity),
             joint_forces: nodes(simulation.joint_forces()),
-            stresses: shown.elements.iter().map(stress).collect(),
-            deletion_table: shown.elements.iter().map(material).collect(),
+            stresses: shown.elements().map(stress).collect(),
+            deletion_table: shown.elements().map(material).collect(),
         }
     }
 }
@@ -119,7 +119,7 @@ impl SpatialD3plotOutput {
             solids: solids.collect(),
             ..Geometry::default()
         };
-        self.0.open(control, &geometry, elements, [scene.nodes.len(), scene.elements.len()])
+        self.0.open(control, &geometry, &elements, [scene.nodes.len(), scene.elements.len()])
     }
 }
 
