@@ -190,7 +190,8 @@ impl Evaluation<'_, '_> {
         for lane in 0..LANES {
             if clear >> lane & 1 != 0 {
                 let index = of_lane[lane];
-                step.ask_later(&mut couples.facing[index], &mut couples.respites, index);
+                let slot = couples.visits[index].slot;
+                step.ask_later(slot, &mut couples.facing[index], &mut couples.respites, index);
             }
         }
         chunk.close.push_those(of_lane, valid & !clear);

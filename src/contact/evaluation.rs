@@ -119,12 +119,19 @@ impl Step<'_> {
         self.face(facing, respites, index);
     }
 
-    /// The same for a couple whose facing edges did not tell that it has none.
+    /// The same for a couple whose facing edges did not tell that it has none; `slot` deals out the
+    /// work evenly, whoever does it and after whichever checkpoint.
     #[inline(always)]
-    pub fn ask_later(&self, facing: &mut Facing, respites: &mut RespitesMut<'_>, index: usize) {
+    pub fn ask_later(
+        &self,
+        slot: u32,
+        facing: &mut Facing,
+        respites: &mut RespitesMut<'_>,
+        index: usize,
+    ) {
         if self.may_ask(respites, index) {
             self.ask(facing, respites, index);
-        } else if self.evaluation.wrapping_add(facing.turn()).is_multiple_of(PATIENCE_FACING) {
+        } else if self.evaluation.wrapping_add(slot).is_multiple_of(PATIENCE_FACING) {
             self.face(facing, respites, index);
         }
     }

@@ -50,12 +50,6 @@ impl Facing {
         Self([0, 1].map(|t| self.0[t] / PLACES * PLACES + u32::from(edges[t].min(2))))
     }
 
-    /// A number that deals out couples evenly, whoever evaluates them.
-    pub fn turn(self) -> u32 {
-        let [target, contactor] = self.bodies();
-        target.wrapping_add(contactor)
-    }
-
     /// The edges as a number.
     pub fn edge_bits(self) -> u8 {
         (((self.0[0] % PLACES) << 2) | (self.0[1] % PLACES)) as u8
