@@ -26,7 +26,20 @@ pub(super) fn judge(
         });
         format!(", which {}{at} sets", culprit.part)
     });
-    if dt > critical {
+    // what the limit is without contacts, which open again when they push each other away
+    let lasting = limits.joints_s.min(limits.viscosity_s);
+    if dt > critical && dt <= NEARLY * lasting {
+        findings.push(
+            Diagnostic::warning(
+                "check::time-step",
+                format!("the time step {dt:e} s is longer than what contacts that stay closed bear, {critical:.3e} s{cause}"),
+            )
+            .at(place)
+            .label(format!("{:.2} of the critical step", dt / critical))
+            .expected(format!("DCSTEC of {suggestion:e} s or less"))
+            .help("such contacts push each other open in a few steps, with energy from nowhere: shorten the step, or lower D1PEPE"),
+        );
+    } else if dt > critical {
         findings.push(
             Diagnostic::error(
                 "check::time-step",
