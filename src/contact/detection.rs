@@ -57,12 +57,7 @@ impl Detector {
                 continue;
             }
             let tag = elements.contact_tag[element];
-            let is_selected = match scene.selection {
-                ContactSelection::All => true,
-                ContactSelection::Tagged | ContactSelection::Bodies => tag > 0,
-                ContactSelection::Flagged => is_flagged(scene, elements, element, |f| f > 0),
-            };
-            if is_selected {
+            if scene.selection.selects(tag, flags_of(scene, elements, element)) {
                 let corners = elements.corners::<3>(element).map(|n| scene.nodes.current[n]);
                 self.sweep.balls.push(circle_around(element as u32, tag, &corners));
             }
@@ -103,21 +98,20 @@ fn examine(
 fn tag_boundary_elements(scene: &Participants<'_>, elements: &mut Elements) {
     for element in 0..elements.len() {
         if takes_part(scene, elements, element)
-            && is_flagged(scene, elements, element, |flag| flag == 1)
+            && flags_of(scene, elements, element).any(|flag| flag == 1)
         {
             elements.contact_tag[element] = element as i32 + 1;
         }
     }
 }
 
-/// Whether a corner of the triangle has a flag that `counts`.
-fn is_flagged(
+/// Flags of a triangle's corners.
+fn flags_of(
     scene: &Participants<'_>,
     elements: &Elements,
     element: usize,
-    counts: impl Fn(i32) -> bool,
-) -> bool {
-    elements.corners::<3>(element).into_iter().any(|n| counts(scene.nodes.boundary_flag[n]))
+) -> impl Iterator<Item = i32> {
+    elements.corners::<3>(element).into_iter().map(|n| scene.nodes.boundary_flag[n])
 }
 
 fn takes_part(scene: &Participants<'_>, elements: &Elements, element: usize) -> bool {

@@ -10,7 +10,7 @@ use super::{
     facing::Facing,
     friction::PairTable,
     placement::Placement,
-    respites::{RespitesMut, is_due, rounded_down},
+    respites::{Respites, RespitesMut, is_due, rounded_down},
     sliding::Sliding,
     visits::{Chains, Visit},
 };
@@ -166,7 +166,7 @@ pub(super) struct Couples<'a> {
     pub visits: &'a mut [Visit],
     /// Their places among the bodies, and their facing edges.
     pub facing: &'a mut [Facing],
-    pub respites: RespitesMut<'a>,
+    pub respites: &'a mut Respites,
     pub sliding: &'a mut Sliding,
     pub chains: &'a mut Chains,
     /// Takes the places of those that came apart.
@@ -185,7 +185,7 @@ impl Couples<'_> {
     /// So many couples each, from `first` to before `end`.
     fn parts(&mut self, first: usize, end: usize, size: usize) -> impl Iterator<Item = Part<'_>> {
         let Self { visits, facing, respites, sliding, .. } = self;
-        let respites = respites.reborrow().range(first..end).chunks(size);
+        let respites = respites.range_mut(first..end).chunks(size);
         let facing = facing[first..end].chunks_mut(size);
         let sliding = &**sliding;
         visits[first..end]

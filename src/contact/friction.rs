@@ -102,6 +102,13 @@ impl PairTable {
         self.pairs[rank].is_some().then_some(rank as u32)
     }
 
+    /// The largest penalty that a material has against any, Pa; 0 if it touches none.
+    #[must_use]
+    pub fn largest_penalty(&self, material: i32) -> f64 {
+        let ranks = (0..self.materials as i32).filter_map(|other| self.rank(material, other));
+        ranks.map(|rank| self.properties(rank).penalty).fold(0.0, f64::max)
+    }
+
     /// Upper bound of all ranks.
     #[must_use]
     pub fn ranks(&self) -> usize {

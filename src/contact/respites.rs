@@ -46,10 +46,16 @@ impl Respites {
             && self.edges.len() == couples
     }
 
-    /// All of them.
-    pub fn as_mut(&mut self) -> RespitesMut<'_> {
-        let Self { rest, stay, face, limit, ask, edges } = self;
-        RespitesMut { rest, stay, face, limit, ask, edges }
+    /// Those of couples in a row.
+    pub fn range_mut(&mut self, couples: Range<usize>) -> RespitesMut<'_> {
+        RespitesMut {
+            rest: &mut self.rest[couples.clone()],
+            stay: &mut self.stay[couples.clone()],
+            face: &mut self.face[couples.clone()],
+            limit: &mut self.limit[couples.clone()],
+            ask: &mut self.ask[couples.clone()],
+            edges: &mut self.edges[couples],
+        }
     }
 
     /// Those of so many couples of which nothing is known; they may be asked in this turn.
@@ -89,20 +95,6 @@ pub(super) struct RespitesMut<'a> {
     pub edges: &'a mut [u8],
 }
 
-impl RespitesMut<'_> {
-    /// The same for a shorter time.
-    pub fn reborrow(&mut self) -> RespitesMut<'_> {
-        RespitesMut {
-            rest: self.rest,
-            stay: self.stay,
-            face: self.face,
-            limit: self.limit,
-            ask: self.ask,
-            edges: self.edges,
-        }
-    }
-}
-
 /// Parts of the arrays of [`RespitesMut`], as zipped iterators give them.
 type Zipped<'a> = (
     ((&'a mut [f32], &'a mut [f32]), (&'a mut [f32], &'a mut [f32])),
@@ -112,18 +104,6 @@ type Zipped<'a> = (
 impl<'a> RespitesMut<'a> {
     fn zipped((((rest, stay), (face, limit)), (ask, edges)): Zipped<'a>) -> Self {
         Self { rest, stay, face, limit, ask, edges }
-    }
-
-    /// Those of couples in a row.
-    pub fn range(self, couples: Range<usize>) -> Self {
-        Self {
-            rest: &mut self.rest[couples.clone()],
-            stay: &mut self.stay[couples.clone()],
-            face: &mut self.face[couples.clone()],
-            limit: &mut self.limit[couples.clone()],
-            ask: &mut self.ask[couples.clone()],
-            edges: &mut self.edges[couples],
-        }
     }
 
     /// Those of so many couples each.

@@ -139,7 +139,6 @@ impl Visits {
     /// The participants and all couples.
     pub fn couples(&mut self) -> (&Bodies, Couples<'_>) {
         let Self { list, facing, respites, bodies, sliding, chains, dropped, .. } = self;
-        let respites = respites.as_mut();
         (bodies, Couples { visits: list, facing, respites, sliding, chains, dropped })
     }
 

@@ -63,6 +63,17 @@ pub enum ContactSelection {
     Bodies,
 }
 
+impl ContactSelection {
+    /// Whether an element with this tag, and with these flags of its nodes, takes part.
+    pub fn selects(self, tag: i32, mut flags: impl Iterator<Item = i32>) -> bool {
+        match self {
+            Self::All => true,
+            Self::Tagged | Self::Bodies => tag > 0,
+            Self::Flagged => flags.any(|flag| flag > 0),
+        }
+    }
+}
+
 /// Whether triangles bonded by intact joints may become couples.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum BondedPairs {

@@ -113,6 +113,13 @@ impl<const D: usize> Scene<D> {
         usize::try_from(self.elements.property[element]).ok().and_then(|p| self.materials.get(p))
     }
 
+    /// Cohesive law of a joint; `None` for other elements and broken joints.
+    #[must_use]
+    pub fn law_of(&self, element: usize) -> Option<&CohesiveLaw> {
+        let property = usize::try_from(self.elements.property[element]).ok()?;
+        self.cohesive_laws.get(property.checked_sub(self.materials.len())?)
+    }
+
     /// Property code of an element as decks and state files show it.
     #[must_use]
     pub fn property_code(&self, element: usize) -> i32 {

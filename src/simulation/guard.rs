@@ -90,10 +90,9 @@ impl Simulation {
 
     /// The first triangle that has turned over though its undeformed shape has not.
     fn turned_over(&self) -> Option<usize> {
-        let Scene { nodes, elements, materials, .. } = &self.scene;
+        let Scene { nodes, elements, .. } = &self.scene;
         let is_triangle = |&element: &usize| {
-            let material = usize::try_from(elements.property[element]).ok();
-            material.and_then(|m| materials.get(m)).is_some_and(|m| {
+            self.scene.material_of(element).is_some_and(|m| {
                 matches!(m.kind, ElementKind::ElasticTriangle | ElementKind::SofteningTriangle)
             })
         };

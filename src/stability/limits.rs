@@ -68,23 +68,23 @@ impl Limits {
             false => joints_s,
         };
         let viscosity_s = highest(system, &VISCOUS).map_or(f64::INFINITY, |mode| 2.0 / mode.value);
-        let together = together(system, &TOUCHING, contact_s, viscosity_s);
+        let touching = together(system, &TOUCHING, contact_s, viscosity_s);
         let impact_s = match has(Weights { impact: 1.0, ..Weights::default() }) {
             true => {
                 let alone_s = of_stiffness(&PRESSED);
-                together_step(system, &PRESSED, alone_s, viscosity_s)
+                together(system, &PRESSED, alone_s, viscosity_s).step_s
             }
-            false => together.step_s,
+            false => touching.step_s,
         };
         Self {
             elements_s,
             joints_s,
             contact_s,
             viscosity_s,
-            critical_s: together.step_s,
+            critical_s: touching.step_s,
             impact_s,
-            error: together.error,
-            set_by: together.set_by,
+            error: touching.error,
+            set_by: touching.set_by,
         }
     }
 }
@@ -93,15 +93,6 @@ struct Together {
     step_s: f64,
     error: f64,
     set_by: Option<Culprit>,
-}
-
-fn together_step<const D: usize>(
-    system: &System<D>,
-    stiffness: &Weights,
-    stiffness_s: f64,
-    viscosity_s: f64,
-) -> f64 {
-    together(system, stiffness, stiffness_s, viscosity_s).step_s
 }
 
 /// The step at which stiffness and viscosity together are critical; each alone is so at the steps

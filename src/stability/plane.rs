@@ -138,16 +138,11 @@ fn add_joints(system: &mut System<2>, scene: &Scene) {
         if scene.elements.joint_kind[element] != JointKind::Intact {
             continue;
         }
-        let own = usize::try_from(scene.elements.property[element]).ok();
-        let own = own.and_then(|p| p.checked_sub(scene.materials.len()));
         let penalty = match scene.conventions.cohesive {
             CohesiveModel::Classic => all,
-            _ => own
-                .and_then(|l| scene.cohesive_laws.get(l))
-                .filter(|l| l.is_cohesive)
-                .map_or(0.0, |law| {
-                    law.penalty * (law.tensile_strength / law.peak_strength).max(1.0)
-                }),
+            _ => scene.law_of(element).filter(|law| law.is_cohesive).map_or(0.0, |law| {
+                law.penalty * (law.tensile_strength / law.peak_strength).max(1.0)
+            }),
         };
         let [a, b, c, d] = scene.elements.corners::<4>(element);
         // p/h for each area at three points of weight h/6, 2h/3, h/6
@@ -197,10 +192,7 @@ fn add_contacts(system: &mut System<2>, scene: &Scene) {
     }
     for (side, faced) in sides.iter().zip(faced) {
         let property = scene.elements.property[side.element];
-        let partners = (0..scene.materials.len() as i32)
-            .filter_map(|other| table.rank(property, other))
-            .map(|rank| table.properties(rank).penalty);
-        let penalty = partners.fold(0.0, f64::max);
+        let penalty = table.largest_penalty(property);
         if faced || penalty <= 0.0 {
             continue;
         }
@@ -254,11 +246,8 @@ fn free_sides(scene: &Scene) -> Vec<Side> {
 
 fn takes_part(scene: &Scene, element: usize) -> bool {
     let flags = scene.elements.corners::<3>(element).map(|n| scene.nodes.boundary_flag[n]);
-    match scene.conventions.selection {
-        ContactSelection::All => true,
-        ContactSelection::Tagged | ContactSelection::Bodies => {
-            scene.elements.contact_tag[element] > 0 || flags.contains(&1)
-        }
-        ContactSelection::Flagged => flags.iter().any(|&flag| flag > 0),
-    }
+    let selection = scene.conventions.selection;
+    // detection gives triangles with a node flagged 1 a tag
+    let gets_tag = selection != ContactSelection::Flagged && flags.contains(&1);
+    gets_tag || selection.selects(scene.elements.contact_tag[element], flags.into_iter())
 }

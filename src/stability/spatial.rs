@@ -121,9 +121,7 @@ fn add_joints(system: &mut System<3>, scene: &Scene<3>) {
         if scene.elements.joint_kind[element] != JointKind::Intact {
             continue;
         }
-        let law = usize::try_from(scene.elements.property[element]).ok();
-        let law = law.and_then(|p| p.checked_sub(scene.materials.len()));
-        let law = law.and_then(|l| scene.cohesive_laws.get(l)).filter(|law| law.is_cohesive);
+        let law = scene.law_of(element).filter(|law| law.is_cohesive);
         let Some(law) = law else { continue };
         let nodes = scene.elements.corners::<6>(element);
         for spring in joint3::springs(law, &points, &nodes.map(|n| scene.nodes.current[n])) {
@@ -168,10 +166,7 @@ fn add_contacts(system: &mut System<3>, scene: &Scene<3>) {
     }
     for (face, faced) in faces.iter().zip(faced) {
         let property = scene.elements.property[face.element];
-        let partners = (0..scene.materials.len() as i32)
-            .filter_map(|other| table.rank(property, other))
-            .map(|rank| table.properties(rank).penalty);
-        let penalty = partners.fold(0.0, f64::max);
+        let penalty = table.largest_penalty(property);
         if faced || penalty <= 0.0 {
             continue;
         }
@@ -221,11 +216,8 @@ fn faces(scene: &Scene<3>) -> Vec<Face> {
 
 fn takes_part(scene: &Scene<3>, element: usize) -> bool {
     let flags = scene.elements.corners::<4>(element).map(|n| scene.nodes.boundary_flag[n]);
-    let tag = scene.elements.contact_tag[element];
-    match scene.conventions.selection {
-        ContactSelection::All => true,
-        ContactSelection::Bodies => tag > 0,
-        ContactSelection::Tagged => tag > 0 || flags.contains(&1),
-        ContactSelection::Flagged => flags.iter().any(|&flag| flag > 0),
-    }
+    let selection = scene.conventions.selection;
+    // detection gives tetrahedra with a node flagged 1 a tag
+    let gets_tag = selection == ContactSelection::Tagged && flags.contains(&1);
+    gets_tag || selection.selects(scene.elements.contact_tag[element], flags.into_iter())
 }

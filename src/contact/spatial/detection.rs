@@ -25,10 +25,9 @@ impl Participants<'_> {
         self.surfaces.touches(self.elements.property[element])
     }
 
-    /// Whether a node of the element has a flag that `counts`.
-    fn is_flagged(&self, element: usize, counts: impl Fn(i32) -> bool) -> bool {
-        let nodes = self.elements.corners::<4>(element);
-        nodes.into_iter().any(|node| counts(self.boundary_flags[node]))
+    /// Flags of the element's nodes.
+    fn flags_of(&self, element: usize) -> impl Iterator<Item = i32> {
+        self.elements.corners::<4>(element).into_iter().map(|node| self.boundary_flags[node])
     }
 
     /// Gives every element with a node flagged 1 its own tag. Tags are never taken back.
@@ -37,7 +36,7 @@ impl Participants<'_> {
             return;
         }
         for (element, tag) in tags.iter_mut().enumerate() {
-            if self.takes_part(element) && self.is_flagged(element, |flag| flag == 1) {
+            if self.takes_part(element) && self.flags_of(element).any(|flag| flag == 1) {
                 *tag = element as i32 + 1;
             }
         }
@@ -102,12 +101,8 @@ pub(super) fn update(
     sweep.balls.clear();
     sweep.first_idle = None;
     for (element, &tag) in tags.iter().enumerate() {
-        let is_selected = scene.takes_part(element)
-            && match scene.selection {
-                ContactSelection::All => true,
-                ContactSelection::Tagged | ContactSelection::Bodies => tag > 0,
-                ContactSelection::Flagged => scene.is_flagged(element, |flag| flag > 0),
-            };
+        let is_selected =
+            scene.takes_part(element) && scene.selection.selects(tag, scene.flags_of(element));
         if is_selected {
             let corners = scene.elements.corners::<4>(element).map(|n| scene.positions[n]);
             sweep.balls.push(ball_around(element as u32, tag, &corners));

@@ -154,13 +154,12 @@ impl<const D: usize> Ledger<D> {
     }
 
     /// Takes over a state with its forces, before it moves. `fill` adds forces of all origins but
-    /// the external ones.
+    /// the external ones and says what is stored.
     fn look(
         &mut self,
         place: &[SVector<f64, D>],
         velocity: &[SVector<f64, D>],
-        stored: Stored,
-        fill: impl FnOnce(&mut [Vec<SVector<f64, D>>; ORIGINS]),
+        fill: impl FnOnce(&mut [Vec<SVector<f64, D>>; ORIGINS]) -> Stored,
     ) {
         std::mem::swap(&mut self.forces, &mut self.before);
         std::mem::swap(&mut self.place, &mut self.place_before);
@@ -172,8 +171,7 @@ impl<const D: usize> Ledger<D> {
             forces.clear();
             forces.resize(place.len(), SVector::zeros());
         }
-        fill(&mut self.forces);
-        self.stored = stored;
+        self.stored = fill(&mut self.forces);
     }
 
     /// Completes the balance of the state looked at, now that it is known how it moves on.

@@ -6,9 +6,11 @@ use crate::mechanics::Vec2;
 /// whose change their normal forces do. φ is three times the smallest area coordinate, linear in
 /// each of the three triangles that the centroid makes with the edges.
 pub(in crate::simulation) fn potential(a: &[Vec2; 3], b: &[Vec2; 3]) -> f64 {
-    if are_apart(a, b) {
-        return 0.0;
-    }
+    if are_apart(a, b) { 0.0 } else { of_overlapping(a, b) }
+}
+
+/// The same of triangles that no edge separates.
+pub(super) fn of_overlapping(a: &[Vec2; 3], b: &[Vec2; 3]) -> f64 {
     let mut common = a.to_vec();
     for k in 0..3 {
         common = cut(&common, b[k], b[(k + 1) % 3]);

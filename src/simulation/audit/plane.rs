@@ -61,20 +61,19 @@ impl PlaneAudit {
     pub fn after_forces(&mut self, simulation: &Simulation) {
         let scene = &simulation.scene;
         let nodes = &scene.nodes;
-        let mut stored = Stored { strain: Some(0.0), contact: Some(0.0), ..Stored::default() };
         let (pairs, has_friction) = (&self.pairs, self.has_friction);
-        self.ledger.look(&nodes.current, &nodes.velocity, Stored::default(), |forces| {
+        self.ledger.look(&nodes.current, &nodes.velocity, |forces| {
             let mut loads = vec![Vec2::zeros(); nodes.len()];
-            stored.strain = Some(add_triangles(simulation, forces, &mut loads));
+            let strain = add_triangles(simulation, forces, &mut loads);
             let share = simulation.contact_share();
             let apart = !simulation.contact_force.is_empty();
             for n in 0..nodes.len() {
                 let contact = share.get(n).copied().unwrap_or_default();
                 // in the classic dialect contact is not in the sum yet
                 let others = simulation.force[n] - if apart { Vec2::zeros() } else { contact };
-                let strain = forces[Origin::Strain as usize][n];
+                let elastic = forces[Origin::Strain as usize][n];
                 let viscous = forces[Origin::Viscosity as usize][n];
-                forces[Origin::Joints as usize][n] = others - strain - viscous - loads[n];
+                forces[Origin::Joints as usize][n] = others - elastic - viscous - loads[n];
                 forces[Origin::Contact as usize][n] = contact;
             }
             if !loads_joints(simulation) {
@@ -82,11 +81,13 @@ impl PlaneAudit {
                 forces[Origin::Joints as usize].fill(Vec2::zeros());
             }
             let (overlaps, sticking) = contacts(simulation, pairs, has_friction, forces);
-            stored.contact = Some(overlaps);
-            stored.friction = sticking;
+            Stored {
+                strain: Some(strain),
+                joints: joints(simulation),
+                contact: Some(overlaps),
+                friction: sticking,
+            }
         });
-        stored.joints = joints(simulation);
-        self.ledger.stored = stored;
     }
 
     /// Looks at it after it has moved.
@@ -178,7 +179,7 @@ fn contacts(
         if overlap_energy::are_apart(&corners[0], &corners[1]) {
             continue;
         }
-        overlaps += pair.penalty * overlap_energy::potential(&corners[0], &corners[1]);
+        overlaps += pair.penalty * overlap_energy::of_overlapping(&corners[0], &corners[1]);
         if !has_friction {
             continue;
         }
@@ -217,11 +218,7 @@ fn joints(simulation: &Simulation) -> f64 {
     let scene = &simulation.scene;
     let intact = |e: &usize| scene.elements.joint_kind[*e] == JointKind::Intact;
     let energies = (0..scene.elements.len()).filter(intact).filter_map(|element| {
-        let law = usize::try_from(scene.elements.property[element]).ok()?;
-        let law = scene.cohesive_laws.get(law.checked_sub(scene.materials.len())?)?;
-        if !law.is_cohesive {
-            return None;
-        }
+        let law = scene.law_of(element).filter(|law| law.is_cohesive)?;
         let corners = scene.elements.corners::<4>(element).map(|n| scene.nodes.current[n]);
         let strength = simulation.strength[element];
         Some(joint_energy::of_joint(law, scene.conventions.cohesive, &corners, strength))

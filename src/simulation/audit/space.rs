@@ -22,14 +22,15 @@ impl SpaceAudit {
         let scene = simulation.scene();
         let nodes = &scene.nodes;
         let points = scene.joint_points.points();
-        let mut strain = None;
-        self.ledger.look(&nodes.current, &nodes.velocity, Stored::default(), |forces| {
-            strain = simulation.forces_by_origin(forces);
-        });
         let joints = simulation.live_joints().map(|(law, corners)| {
             joint_energy::of_face_joint(&scene.cohesive_laws[law], &points, &corners)
         });
-        self.ledger.stored = Stored { strain, joints: joints.sum(), contact: None, friction: 0.0 };
+        self.ledger.look(&nodes.current, &nodes.velocity, |forces| Stored {
+            strain: simulation.forces_by_origin(forces),
+            joints: joints.sum(),
+            contact: None,
+            friction: 0.0,
+        });
     }
 
     /// Looks at it after it has moved.

@@ -167,13 +167,16 @@ impl Simulation {
     /// and however many threads there are. Results are the same to the last bit.
     pub fn divide_into(&mut self, parts: usize) {
         self.parts = Some(parts);
-        self.plan = Plan::new(&self.scene);
-        self.divide();
+        self.divide_anew();
     }
 
     /// From now on keeps a list of all triangles, which an audit of energies goes through.
     pub fn keep_triangles(&mut self) {
         self.keeps_triangles = true;
+        self.divide_anew();
+    }
+
+    fn divide_anew(&mut self) {
         self.plan = Plan::new(&self.scene);
         self.divide();
     }

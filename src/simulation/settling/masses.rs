@@ -99,11 +99,9 @@ fn add_joints(scene: &Scene, stiffness: &mut [f64]) {
         if scene.elements.joint_kind[element] != JointKind::Intact {
             continue;
         }
-        let law = usize::try_from(scene.elements.property[element]).ok();
-        let law = law.and_then(|p| p.checked_sub(scene.materials.len()));
         let penalty = match scene.conventions.cohesive {
             CohesiveModel::Classic => together,
-            _ => law.and_then(|l| scene.cohesive_laws.get(l)).map_or(0.0, |law| {
+            _ => scene.law_of(element).map_or(0.0, |law| {
                 law.penalty * (law.tensile_strength / law.peak_strength).max(1.0)
             }),
         };
