@@ -119,7 +119,7 @@ pub(super) struct RunArguments {
 pub(super) enum ProfileName {
     /// The Windows program
     Windows,
-    /// The published source: local axes are normalised
+    /// The published source: local axes are normalised, joints between tetrahedra open contact where they fail
     Source,
 }
 

@@ -4,6 +4,7 @@
 //! Codes are decimal: each of ten passes takes the last digit of every
 //! combination's code, so `31` refines first and inserts joints then.
 
+mod families;
 mod joints;
 mod refine;
 mod solids;
@@ -13,6 +14,7 @@ use crate::scene::{Elements, FractureNetwork, Insertion, Material, Nodes, Scene}
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
 
+pub use families::Families;
 pub use solids::{execute_in_space, room_needed_in_space};
 
 /// Number of passes, enough for the digits of any code.

@@ -1,13 +1,15 @@
 //! Joints between tetrahedra before the first step (spec `y2d3d.md` D.1, D.4).
 
-use super::{CapacityError, InsertionReport, MOST_COUNTED, PASSES, Room, name_joint_sets, use_up};
+use super::{
+    CapacityError, Families, InsertionReport, MOST_COUNTED, PASSES, Room, name_joint_sets, use_up,
+};
 use crate::scene::{ElementKind, Elements, Insertion, JointKind, Material, Nodes, Scene};
 
 /// Corners of the four faces, in the original's order.
 const FACES: [[usize; 3]; 4] = [[1, 2, 3], [3, 2, 0], [3, 0, 1], [1, 0, 2]];
 
 /// Executes the meshing codes of a scene in three dimensions and sets them to 0. Digits other
-/// than 3 do nothing.
+/// than 3 do nothing. Copies of nodes join the families of those that they are copies of.
 ///
 /// # Errors
 /// If nodes or elements exceed what the deck declares.
@@ -16,6 +18,7 @@ pub fn execute_in_space(
     nodes: &mut Nodes<3>,
     elements: &mut Elements,
     materials: &mut [Material],
+    families: &mut Families,
 ) -> Result<InsertionReport, CapacityError> {
     name_joint_sets(insertion, materials);
     let mut report = InsertionReport::default();
@@ -37,8 +40,9 @@ pub fn execute_in_space(
             };
             let tagged: Vec<usize> = (0..properties.len()).filter(listed).collect();
             report.executed += 1;
-            Joining { nodes, elements, insertion, materials: materials.len() as i32 }
-                .insert(&tagged)?;
+            let materials = materials.len() as i32;
+            families.grow(nodes.len());
+            Joining { nodes, elements, families, insertion, materials }.insert(&tagged)?;
         }
     }
     use_up(insertion);
@@ -53,7 +57,8 @@ pub fn room_needed_in_space(scene: &Scene<3>) -> Option<Room> {
     insertion.node_capacity = MOST_COUNTED;
     insertion.element_capacity = MOST_COUNTED;
     let (nodes, elements) = (&mut scene.nodes, &mut scene.elements);
-    execute_in_space(&mut insertion, nodes, elements, &mut scene.materials).ok()?;
+    let families = &mut Families::default();
+    execute_in_space(&mut insertion, nodes, elements, &mut scene.materials, families).ok()?;
     Some(Room { nodes: scene.nodes.len(), elements: scene.elements.len() })
 }
 
@@ -68,6 +73,7 @@ struct Candidate {
 struct Joining<'a> {
     nodes: &'a mut Nodes<3>,
     elements: &'a mut Elements,
+    families: &'a mut Families,
     insertion: &'a Insertion,
     materials: i32,
 }
@@ -82,7 +88,10 @@ impl Joining<'_> {
         for &element in tetrahedra {
             let property = self.elements.property[element];
             let old = self.elements.corners::<4>(element);
-            let new = old.map(|n| self.nodes.push_copy(n, self.nodes.boundary_flag[n]));
+            let new = old.map(|n| {
+                self.families.add_copy(n);
+                self.nodes.push_copy(n, self.nodes.boundary_flag[n])
+            });
             for face in FACES {
                 let corners = face.map(|i| old[i] as i32);
                 let own = face.map(|i| new[i] as i32);
@@ -142,7 +151,8 @@ impl Joining<'_> {
         Some(self.materials + row.joint_set)
     }
 
-    /// Closes the joints that still wait for a second tetrahedron.
+    /// Closes the joints that still wait for a second tetrahedron, and flags their nodes where the
+    /// deck is to be run so.
     fn close(&mut self, first_joint: usize, old_nodes: usize) {
         for joint in first_joint..self.elements.len() {
             let nodes = &mut self.elements.nodes[joint];
@@ -151,6 +161,12 @@ impl Joining<'_> {
                 self.elements.joint_kind[joint] = JointKind::FreeEdge;
                 self.elements.sides[joint][1] = self.elements.sides[joint][0];
             }
+        }
+        if self.insertion.flags_free_faces {
+            let is_closed = |&e: &usize| self.elements.joint_kind[e] == JointKind::FreeEdge;
+            let joints = (first_joint..self.elements.len()).filter(is_closed);
+            let nodes = joints.flat_map(|joint| self.elements.corners::<3>(joint));
+            self.families.flag(nodes, &mut self.nodes.boundary_flag);
         }
     }
 

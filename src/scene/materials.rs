@@ -149,14 +149,16 @@ pub enum JointPoints {
     MidEdges,
 }
 
-/// Property code of joints between tetrahedra that have failed, in decks and state files.
+/// What becomes of joints between tetrahedra that fail (spec `y2d3d.md` D.7).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum BrokenCode {
-    /// −1001 (the Windows program).
+pub enum FailedJoints {
+    /// Their property code becomes −1001, nothing else (the Windows program).
     #[default]
-    Common,
-    /// Joint set minus 1000 (the published source).
-    BySet,
+    Left,
+    /// It becomes the joint set minus 1000; their nodes, with all that are copies of the same, are
+    /// flagged as boundary nodes, and the tetrahedra beside them become a couple (the published
+    /// source).
+    Opened,
 }
 
 /// Strength of joints that depends on their direction: that of the law for

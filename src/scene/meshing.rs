@@ -9,6 +9,9 @@ pub struct Insertion {
     pub pairs: Vec<JointPair>,
     /// What becomes of edges without neighbour.
     pub interfaces: Interfaces,
+    /// Whether faces of tetrahedra without neighbour flag their nodes as boundary nodes (spec
+    /// `y2d3d.md` D.4).
+    pub flags_free_faces: bool,
     /// Number of nodes that the deck leaves room for.
     pub node_capacity: usize,
     /// Number of elements that the deck leaves room for.

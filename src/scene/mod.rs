@@ -36,7 +36,7 @@ pub use from_deck::{
 };
 pub use joint_restart::JointRestart;
 pub use materials::{
-    BrokenCode, CohesiveLaw, ElasticLaw, ElementKind, Isotropy, JointPoints, Layering, Material,
+    CohesiveLaw, ElasticLaw, ElementKind, FailedJoints, Isotropy, JointPoints, Layering, Material,
     TransverseIsotropy,
 };
 pub use mesh::{Elements, JointKind, Nodes};
@@ -87,8 +87,8 @@ pub struct Scene<const D: usize = 2> {
     pub snapshots: Option<SnapshotSettings>,
     /// Integration of joints between tetrahedra (3D).
     pub joint_points: JointPoints,
-    /// What becomes of the property code of such joints when they fail (3D).
-    pub broken_code: BrokenCode,
+    /// What becomes of such joints when they fail (3D).
+    pub failed_joints: FailedJoints,
     /// Whether joints unload along another path than they soften (Y-Geo).
     pub hysteretic_joints: bool,
     /// Pressures on faces of tetrahedra (`.Y3D`).
@@ -125,7 +125,7 @@ impl<const D: usize> Scene<D> {
     pub fn property_code(&self, element: usize) -> i32 {
         let (property, kind) = (self.elements.property[element], self.elements.joint_kind[element]);
         let materials = self.materials.len();
-        if self.broken_code == BrokenCode::BySet && kind == JointKind::Broken {
+        if self.failed_joints == FailedJoints::Opened && kind == JointKind::Broken {
             return property - materials as i32 - BROKEN_OFFSET;
         }
         self.conventions.property_code(property, kind, materials)

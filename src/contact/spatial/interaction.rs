@@ -250,6 +250,22 @@ impl Contact3 {
         self.list_couples(elements);
     }
 
+    /// Makes couples of pairs of elements that are none yet, in this order; −1 is no element.
+    pub fn couple(&mut self, pairs: impl Iterator<Item = [i32; 2]>, elements: &Elements) {
+        let before = self.couples.len();
+        for pair in pairs {
+            let [Ok(a), Ok(b)] = pair.map(u32::try_from) else { continue };
+            let (contactor, target) = (a.max(b), a.min(b));
+            if contactor != target && self.couples.find(contactor, target).is_none() {
+                self.couples.insert(contactor, target);
+            }
+        }
+        if self.couples.len() > before {
+            self.work.most_couples = self.work.most_couples.max(self.couples.len());
+            self.list_couples(elements);
+        }
+    }
+
     fn list_couples(&mut self, elements: &Elements) {
         self.visits.sort(&self.couples, &self.surfaces, elements);
     }

@@ -147,6 +147,7 @@ pub(super) fn insertion(reader: &mut Reader<'_>, materials: &[Material]) -> Opti
         combinations,
         pairs,
         interfaces: Interfaces::Fractures,
+        flags_free_faces: false,
         node_capacity: capacity("YDN/MNOPO"),
         element_capacity: capacity("YDE/MELEM"),
     })

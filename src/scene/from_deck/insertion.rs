@@ -1,4 +1,4 @@
-use super::{Reader, classic, joints, nodes::to_i32, reader::numbers_of, solids};
+use super::{Profile, Reader, classic, joints, nodes::to_i32, reader::numbers_of, solids};
 use crate::scene::{Combination, Insertion, Interfaces, JointPair, Material, Scene};
 use yformat::{database::Field, diagnostic::Diagnostic, source::Span};
 
@@ -6,6 +6,7 @@ pub(super) fn read(
     reader: &mut Reader<'_>,
     dimension: usize,
     materials: &[Material],
+    profile: Profile,
 ) -> Option<Insertion> {
     // without materials their count or types are wrong, which has been reported
     if materials.is_empty() {
@@ -38,6 +39,9 @@ pub(super) fn read(
         combinations,
         pairs: pairs.collect(),
         interfaces: Interfaces::Free,
+        flags_free_faces: dimension == 3
+            && profile == Profile::Source
+            && reader.integer("YDPM/IAUTBN") != 0,
         node_capacity: capacity("YDN/MNOPO"),
         element_capacity: capacity("YDE/MELEM"),
     };

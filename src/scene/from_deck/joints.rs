@@ -3,7 +3,7 @@ use super::{
     reader::{Offenders, numbers_of},
     ygeo,
 };
-use crate::scene::{BrokenCode, CohesiveLaw, CohesiveModel, JointPoints, RockJoint, Scene};
+use crate::scene::{CohesiveLaw, CohesiveModel, FailedJoints, JointPoints, RockJoint, Scene};
 use yformat::{diagnostic::Diagnostic, dialect::Dialect};
 
 /// What cohesive laws are called in findings.
@@ -63,11 +63,11 @@ pub(super) fn points(reader: &Reader<'_>, profile: Profile) -> JointPoints {
     }
 }
 
-/// Code of failed joints: in the plane both programs have the same.
-pub(super) fn broken_code(dimension: usize, profile: Profile) -> BrokenCode {
+/// What becomes of joints that fail: in the plane it is the same in both programs.
+pub(super) fn failed(dimension: usize, profile: Profile) -> FailedJoints {
     match (dimension, profile) {
-        (3, Profile::Source) => BrokenCode::BySet,
-        _ => BrokenCode::Common,
+        (3, Profile::Source) => FailedJoints::Opened,
+        _ => FailedJoints::Left,
     }
 }
 
@@ -127,17 +127,6 @@ pub(super) fn check_use<const D: usize>(reader: &mut Reader<'_>, scene: &Scene<D
     }
     if sets.is_empty() || !check_given(reader, scene) {
         return;
-    }
-    if scene.broken_code == BrokenCode::BySet {
-        reader.report(
-            Diagnostic::warning(
-                "scene::profile",
-                "of the published source's 3D joints integration points and codes are followed; nodes of joints that fail are not marked as boundary nodes, and the tetrahedra beside them not made a couple",
-            )
-            .at(reader.word("YDPJ/NPJSET"))
-            .expected("`--profile windows`, which is followed in everything")
-            .help("results are those of the published source where all nodes are flagged as boundary nodes"),
-        );
     }
     for &set in &sets {
         if scene.cohesive_laws[set].is_cohesive {

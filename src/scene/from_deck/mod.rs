@@ -41,7 +41,7 @@ pub enum Profile {
     /// The Windows program: no normalisation of local axes.
     #[default]
     Windows,
-    /// The published source: local axes are normalised.
+    /// The published source: local axes are normalised, joints between tetrahedra open contact where they fail
     Source,
 }
 
@@ -113,7 +113,7 @@ where
     let node_sets = node_sets::read(reader, profile);
     let load_history = load_history::read(reader, node_sets.len());
     let contact = contact::read(reader, D);
-    let insertion = insertion::read(reader, D, &materials);
+    let insertion = insertion::read(reader, D, &materials, profile);
     let (probes, probe_threshold) = probes::read(reader, D);
     let scene = Scene {
         name: name.to_owned(),
@@ -133,7 +133,7 @@ where
         fracture_network: ygeo::fracture_network(reader, node_count),
         seismic: ygeo::seismic(reader),
         joint_points: joints::points(reader, profile),
-        broken_code: joints::broken_code(D, profile),
+        failed_joints: joints::failed(D, profile),
         hysteretic_joints: reader.integer("YDPJ/IUSEHY") != 0,
         face_pressures: Vec::new(),
         pressure_ramp: 0.0,

@@ -135,7 +135,7 @@ fn update_settings<const D: usize>(
     }
     if meshing_changes {
         let earlier = scene.insertion.take();
-        scene.insertion = insertion::read(reader, D, &scene.materials);
+        scene.insertion = insertion::read(reader, D, &scene.materials, profile);
         let codes = ["YDPM/I2PMSET", "YDP/I1PEMN", "YDP/I1PNFZ"];
         if !codes.iter().any(|code| named.contains(*code)) {
             // codes are consumed when they are executed

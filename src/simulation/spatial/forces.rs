@@ -7,7 +7,7 @@ use crate::{
         joint3::{self, JointResponse, Points},
         tetrahedron, tetrahedron10,
     },
-    scene::{ContactSelection, JointKind, JointPoints},
+    scene::{ContactSelection, FailedJoints, JointKind, JointPoints, Scene},
     simulation::StressUse,
     team::Team,
 };
@@ -161,10 +161,26 @@ impl SpatialSimulation {
                 }
             }
         });
+        let before = self.failures.len();
         for joint in 0..self.plan.joints.len() {
             if self.joint_slots[joint].fails {
                 self.record_failure(joint);
             }
+        }
+        if self.failures.len() > before && self.scene.failed_joints == FailedJoints::Opened {
+            self.open(before);
+        }
+    }
+
+    /// What failed in this step becomes boundary, and contact between its sides begins at once.
+    fn open(&mut self, first: usize) {
+        let Self { scene, families, failures, contact, .. } = self;
+        let Scene { nodes, elements, .. } = scene;
+        let failed = failures[first..].iter().map(|failure| failure.element);
+        let upper = failed.clone().flat_map(|joint| elements.corners::<3>(joint));
+        families.flag(upper, &mut nodes.boundary_flag);
+        if let Some(contact) = contact {
+            contact.couple(failed.map(|joint| elements.sides[joint]), elements);
         }
     }
 

@@ -21,7 +21,7 @@ use crate::{
         CoupleWork,
         spatial::{Contact3, Motion3},
     },
-    insertion::{self, CapacityError, InsertionReport},
+    insertion::{self, CapacityError, Families, InsertionReport},
     mechanics::{Vec3, joint3::JointResponse, tetrahedron10},
     scene::{ContactSettings, PairProperties, Scene},
 };
@@ -72,6 +72,8 @@ pub struct SpatialSimulation {
     /// Kinetic energy at the end of the last step that computed it, J.
     kinetic_energy: f64,
     insertion_report: Option<InsertionReport>,
+    /// Which nodes are copies of the same one.
+    families: Families,
     failures: Vec<FaceFailure>,
     /// Step and element of the first tetrahedron that turned inside out.
     first_inversion: Option<(u64, usize)>,
@@ -111,6 +113,7 @@ impl SpatialSimulation {
             stress_use: StressUse::default(),
             kinetic_energy: 0.0,
             insertion_report: None,
+            families: Families::default(),
             failures: Vec::new(),
             first_inversion: None,
             tetrahedron_slots: Vec::new(),
@@ -129,8 +132,9 @@ impl SpatialSimulation {
         let scene = &mut self.scene;
         if let Some(insertion) = &mut scene.insertion {
             let (nodes, elements) = (&mut scene.nodes, &mut scene.elements);
+            let (materials, families) = (&mut scene.materials, &mut self.families);
             let report =
-                insertion::execute_in_space(insertion, nodes, elements, &mut scene.materials)?;
+                insertion::execute_in_space(insertion, nodes, elements, materials, families)?;
             self.insertion_report = Some(report);
         }
         self.rebuild();

@@ -3,7 +3,7 @@
 use super::{FaceFailure, SpatialSimulation, plan::Plan, surfaces};
 use crate::{
     contact::spatial::{Contact3, ContactState3},
-    insertion::InsertionReport,
+    insertion::{Families, InsertionReport},
     mechanics::Vec3,
     scene::{Elements, JointKind, Nodes, Scene},
     simulation::{
@@ -28,6 +28,7 @@ pub struct SpatialState {
     probe_values: Vec<f64>,
     kinetic_energy: f64,
     insertion_report: Option<InsertionReport>,
+    families: Families,
     failures: Vec<FaceFailure>,
     first_inversion: Option<(u64, usize)>,
     contact: Option<ContactState3>,
@@ -61,6 +62,7 @@ impl SpatialState {
             lengths.iter().all(|&len| len == nodes.len()) && i32::try_from(nodes.len()).is_ok(),
             "values of nodes are missing",
         )?;
+        require(self.families.fits(nodes.len()), "a node is a copy of none")?;
         let elements = &self.elements;
         let lengths = [
             elements.nodes.len(),
@@ -134,6 +136,7 @@ impl SpatialSimulation {
             probe_values,
             kinetic_energy,
             insertion_report,
+            families,
             failures,
             first_inversion,
             // made anew in every step
@@ -153,6 +156,7 @@ impl SpatialSimulation {
             probe_values: probe_values.clone(),
             kinetic_energy: *kinetic_energy,
             insertion_report: *insertion_report,
+            families: families.clone(),
             failures: failures.clone(),
             first_inversion: *first_inversion,
             contact: contact.as_ref().map(Contact3::state),
@@ -176,6 +180,7 @@ impl SpatialSimulation {
         self.probe_values = state.probe_values;
         self.kinetic_energy = state.kinetic_energy;
         self.insertion_report = state.insertion_report;
+        self.families = state.families;
         self.failures = state.failures;
         self.first_inversion = state.first_inversion;
         if let (Some(contact), Some(state)) = (&mut self.contact, state.contact) {

@@ -86,6 +86,7 @@ pub(super) fn insertion(
         combinations: vec![Combination { code: INSERT, materials: joined }],
         pairs,
         interfaces: Interfaces::Free,
+        flags_free_faces: false,
         node_capacity: capacity("YDN/MNOPO"),
         element_capacity: capacity("YDE/MELEM"),
     })

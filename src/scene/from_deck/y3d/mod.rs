@@ -10,7 +10,7 @@ mod materials;
 mod unsupported;
 
 use super::{Reader, control, geometry::Shapes, nodes, probes};
-use crate::scene::{BrokenCode, Conventions, InitialAperture, JointPoints, Scene, SeismicMethod};
+use crate::scene::{Conventions, FailedJoints, InitialAperture, JointPoints, Scene, SeismicMethod};
 
 /// The scene of a deck; `None` where it is not complete enough to be looked at.
 pub(super) fn build(reader: &mut Reader<'_>, name: &str) -> Option<Scene<3>> {
@@ -46,7 +46,7 @@ pub(super) fn build(reader: &mut Reader<'_>, name: &str) -> Option<Scene<3>> {
         joint_restart: None,
         snapshots: None,
         joint_points: JointPoints::MidEdges,
-        broken_code: BrokenCode::Common,
+        failed_joints: FailedJoints::Left,
         hysteretic_joints: false,
         face_pressures,
         pressure_ramp: reader.real("YDC/DCRMPT"),
