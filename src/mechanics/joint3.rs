@@ -4,6 +4,8 @@
 //! are taken at points of the surface midway; each point softens with the combined damage of the
 //! two modes. Where a law has cohesion (the `.Y3D` lineage), pressure raises the shear strength.
 
+pub mod intact;
+
 use super::{Vec3, softening::remaining_strength};
 use crate::{TOLERANCE, scene::CohesiveLaw};
 

@@ -6,6 +6,8 @@
 //! T = (μ/J)(B − I) + p(J) I + η D, one stress per element; p = (λ/2)(J − 1/J) in the split
 //! dialect, (λ/J) ln J in the `.Y3D` lineage.
 
+pub mod lanes;
+
 use super::{Vec3, triangle::Elasticity};
 use nalgebra::Matrix3;
 

@@ -24,8 +24,9 @@ impl SpatialSimulation {
             let law = &self.plan.laws[planned.material as usize];
             let corners = planned.corners.map(|n| nodes.current[n as usize]);
             let velocities = planned.corners.map(|n| nodes.velocity[n as usize]);
+            let reference = self.plan.reference(planned);
             let of = |law: &tetrahedron::SolidLaw| {
-                tetrahedron::cauchy_stress(law, &planned.reference, &corners, &velocities).0
+                tetrahedron::cauchy_stress(law, &reference, &corners, &velocities).0
             };
             let (stress, whole) = (of(&still(law)), of(law));
             let strain = tetrahedron::nodal_forces(&stress, &corners);
@@ -69,7 +70,7 @@ impl SpatialSimulation {
             let law = &self.plan.laws[planned.material as usize];
             let of = |places: &[Vec3]| planned.corners.map(|n| places[n as usize]);
             let places = [&of(&nodes.initial), &of(&nodes.current)];
-            strain::of_tetrahedron(law, &planned.reference, places)
+            strain::of_tetrahedron(law, &self.plan.reference(planned), places)
         });
         self.plan.quadratic.is_empty().then(|| energies.sum())
     }

@@ -1,13 +1,15 @@
-//! Forces of tetrahedra and joints.
+//! Forces of tetrahedra and of pressures on their faces.
 
-use super::{FaceFailure, SpatialSimulation};
+use super::{SpatialSimulation, plan::TetrahedronBlock};
 use crate::{
+    lanes::{Kernel, LANES, Lanes, Mask as _, each, run},
     mechanics::{
         Vec3, face_load,
-        joint3::{self, JointResponse, Points},
-        tetrahedron, tetrahedron10,
+        joint3::Points,
+        tetrahedron::{SolidLaw, lanes},
+        tetrahedron10,
     },
-    scene::{ContactSelection, FailedJoints, JointKind, JointPoints, Scene},
+    scene::JointPoints,
     simulation::StressUse,
     team::Team,
 };
@@ -31,16 +33,86 @@ impl JointPoints {
     }
 }
 
-/// What a tetrahedron does to its nodes, and its stress in the last step that needed it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct TetrahedronResponse {
-    forces: [Vec3; 4],
-    pub stress: Matrix3<f64>,
+/// Forces of four tetrahedra on their nodes, and their stresses in the last step that needed them.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct TetrahedronResponses {
+    /// Of each lane the four corners; vectors are filled up with 0.
+    forces: [[f64; LANES]; 4 * LANES],
+    /// Components xx, xy, xz, yy, yz, zz in all lanes.
+    stress: [[f64; LANES]; 6],
 }
 
-impl Default for TetrahedronResponse {
-    fn default() -> Self {
-        Self { forces: [Vec3::zeros(); 4], stress: Matrix3::zeros() }
+impl TetrahedronResponses {
+    /// Cauchy stress of one of them, Pa.
+    pub fn stress(&self, lane: usize) -> Matrix3<f64> {
+        let [xx, xy, xz, yy, yz, zz] = self.stress.map(|component| component[lane]);
+        Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz)
+    }
+}
+
+/// Vectors of four nodes.
+#[inline(always)]
+pub(super) fn gather<L: Lanes>(vectors: &[Vec3], nodes: &[u32; LANES]) -> [L; 3] {
+    let of = each!(4, |lane| &vectors[nodes[lane] as usize]);
+    each!(3, |k| L::new(each!(4, |lane| of[lane][k])))
+}
+
+/// Writes the vectors of four lanes, each filled up with 0.
+#[inline(always)]
+pub(super) fn scatter<L: Lanes>(vectors: [L; 3]) -> [L; LANES] {
+    let [x, y, z] = vectors;
+    L::transpose([x, y, z, L::splat(0.0)])
+}
+
+/// The vector that [`scatter`] wrote.
+#[inline(always)]
+pub(super) fn vector([x, y, z, _]: &[f64; LANES]) -> Vec3 {
+    Vec3::new(*x, *y, *z)
+}
+
+/// Evaluates blocks of tetrahedra.
+struct Tetrahedra<'a> {
+    blocks: &'a [TetrahedronBlock],
+    responses: &'a mut [TetrahedronResponses],
+    laws: &'a [SolidLaw],
+    places: &'a [Vec3],
+    velocities: &'a [Vec3],
+    keeps_stress: bool,
+    /// The lowest number of an element that has turned inside out.
+    inverted: &'a AtomicU32,
+}
+
+impl Kernel for Tetrahedra<'_> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(self) {
+        let zero = L::splat(0.0);
+        for (block, response) in self.blocks.iter().zip(self.responses) {
+            let law = lanes::LawLanes::<L>::new(&self.laws[block.material as usize]);
+            let corners = each!(4, |i| gather::<L>(self.places, &block.corners[i]));
+            let velocities = each!(4, |i| gather::<L>(self.velocities, &block.corners[i]));
+            let found = lanes::respond(&law, &block.reference, &corners, &velocities);
+            for i in 0..4 {
+                let forces = scatter(found.forces[i]);
+                for lane in 0..LANES {
+                    forces[lane].store(&mut response.forces[4 * lane + i]);
+                }
+            }
+            if self.keeps_stress {
+                let [[xx, xy, xz], [_, yy, yz], [_, _, zz]] = found.stress;
+                let components = [xx, xy, xz, yy, yz, zz];
+                for k in 0..6 {
+                    components[k].store(&mut response.stress[k]);
+                }
+            }
+            let inverted = found.sixfold_volume.le(zero).bits();
+            if inverted != 0 {
+                for lane in (0..LANES).filter(|lane| inverted & 1 << lane != 0) {
+                    self.inverted.fetch_min(block.elements[lane], Ordering::Relaxed);
+                }
+            }
+        }
     }
 }
 
@@ -55,6 +127,21 @@ pub(super) fn for_each<T: Send>(team: &Team, items: &mut [T], act: impl Fn(usize
     }
 }
 
+/// The same for blocks of four, some of which a thread is given in a row, with the place of the
+/// first.
+pub(super) fn for_blocks<T: Send>(
+    team: &Team,
+    blocks: &mut [T],
+    act: impl Fn(usize, &mut [T]) + Sync,
+) {
+    if LANES * blocks.len() < PARALLEL_FROM || team.size() == 1 {
+        act(0, blocks);
+    } else {
+        let parts = blocks.chunks_mut(GRAIN / LANES).enumerate();
+        team.share(parts, |(part, blocks)| act(part * (GRAIN / LANES), blocks));
+    }
+}
+
 impl SpatialSimulation {
     /// Sets the nodal forces to those of the tetrahedra, those with four nodes first: materials
     /// ascending, elements ascending.
@@ -64,20 +151,16 @@ impl SpatialSimulation {
         let team = &options.team;
         let nodes = &scene.nodes;
         let inverted = AtomicU32::new(u32::MAX);
-        for_each(team, tetrahedron_slots, |t, slot| {
-            let planned = &plan.tetrahedra[t];
-            let corners = planned.corners.map(|n| nodes.current[n as usize]);
-            let velocities = planned.corners.map(|n| nodes.velocity[n as usize]);
-            let law = &plan.laws[planned.material as usize];
-            let (stress, volume) =
-                tetrahedron::cauchy_stress(law, &planned.reference, &corners, &velocities);
-            slot.forces = tetrahedron::nodal_forces(&stress, &corners);
-            if keeps_stress {
-                slot.stress = stress;
-            }
-            if volume <= 0.0 {
-                inverted.fetch_min(planned.element, Ordering::Relaxed);
-            }
+        for_blocks(team, tetrahedron_slots, |first, responses| {
+            run(Tetrahedra {
+                blocks: &plan.tetrahedron_blocks[first..],
+                responses,
+                laws: &plan.laws,
+                places: &nodes.current,
+                velocities: &nodes.velocity,
+                keeps_stress,
+                inverted: &inverted,
+            });
         });
         for_each(team, quadratic_slots, |t, slot| {
             let planned = &plan.quadratic[t];
@@ -95,7 +178,8 @@ impl SpatialSimulation {
         for_each(team, force, |n, force| {
             *force = Vec3::zeros();
             for &slot in plan.tetrahedron_shares.of(n) {
-                *force += slots[slot as usize / 4].forces[slot as usize % 4];
+                let slot = slot as usize;
+                *force += vector(&slots[slot / (4 * LANES)].forces[slot % (4 * LANES)]);
             }
             if has_quadratic {
                 for &slot in plan.quadratic_shares.of(n) {
@@ -126,85 +210,5 @@ impl SpatialSimulation {
 
     fn needs_stress(&self) -> bool {
         self.stress_use == StressUse::EveryStep || self.is_output_step()
-    }
-
-    /// Sets the nodal forces of joints: joint sets ascending, elements ascending. A joint that
-    /// fails still acts in this step.
-    pub(super) fn add_joint_forces(&mut self) {
-        if self.plan.joints.is_empty() {
-            return;
-        }
-        let Self { scene, plan, joint_slots, joint_force, options, .. } = self;
-        let team = &options.team;
-        let points = scene.joint_points.points();
-        let places = &scene.nodes.current;
-        for_each(team, joint_slots, |j, response| {
-            let joint = &plan.joints[j];
-            // what has failed adds zeros, which change no sum
-            *response = if joint.is_live {
-                let law = &scene.cohesive_laws[joint.law as usize];
-                joint3::evaluate(law, &points, &joint.corners.map(|n| places[n as usize]))
-            } else {
-                JointResponse::default()
-            };
-        });
-        let slots = &*joint_slots;
-        for_each(team, joint_force, |n, force| {
-            *force = Vec3::zeros();
-            for &slot in plan.joint_shares.of(n) {
-                let (joint, corner) = (slot as usize / 6, slot as usize % 6);
-                let response = &slots[joint].pair_forces;
-                if corner < 3 {
-                    *force -= response[corner];
-                } else {
-                    *force += response[corner - 3];
-                }
-            }
-        });
-        let before = self.failures.len();
-        for joint in 0..self.plan.joints.len() {
-            if self.joint_slots[joint].fails {
-                self.record_failure(joint);
-            }
-        }
-        if self.failures.len() > before && self.scene.failed_joints == FailedJoints::Opened {
-            self.open(before);
-        }
-    }
-
-    /// What failed in this step becomes boundary, and contact between its sides begins at once.
-    fn open(&mut self, first: usize) {
-        let Self { scene, families, failures, contact, .. } = self;
-        let Scene { nodes, elements, .. } = scene;
-        let failed = failures[first..].iter().map(|failure| failure.element);
-        let upper = failed.clone().flat_map(|joint| elements.corners::<3>(joint));
-        families.flag(upper, &mut nodes.boundary_flag);
-        if let Some(contact) = contact {
-            contact.couple(failed.map(|joint| elements.sides[joint]), elements);
-        }
-    }
-
-    fn record_failure(&mut self, joint: usize) {
-        let planned = &mut self.plan.joints[joint];
-        planned.is_live = false;
-        let (element, law) = (planned.element as usize, planned.law as usize);
-        let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
-        self.scene.elements.joint_kind[element] = JointKind::Broken;
-        if let Some(contact) = &mut self.contact
-            && self.scene.conventions.selection == ContactSelection::Bodies
-        {
-            contact.detect_next();
-        }
-        let points = self.scene.joint_points.points();
-        let state = joint3::state(&self.scene.cohesive_laws[law], &points, &corners);
-        self.failures.push(FaceFailure {
-            element,
-            step: self.step,
-            time: self.time,
-            mode: state.mode,
-            law,
-            place: corners.iter().sum::<Vec3>() / 6.0,
-            area: joint3::area(&corners),
-        });
     }
 }

@@ -6,6 +6,7 @@
 
 mod audit;
 mod forces;
+mod joints;
 mod motion;
 mod plan;
 mod probes;
@@ -22,10 +23,11 @@ use crate::{
         spatial::{Contact3, Motion3},
     },
     insertion::{self, CapacityError, Families, InsertionReport},
-    mechanics::{Vec3, joint3::JointResponse, tetrahedron10},
+    mechanics::{Vec3, tetrahedron10},
     scene::{ContactSettings, PairProperties, Scene},
 };
-use forces::TetrahedronResponse;
+use forces::TetrahedronResponses;
+use joints::JointResponses;
 use motion::Drive;
 use plan::Plan;
 use serde::{Deserialize, Serialize};
@@ -77,12 +79,12 @@ pub struct SpatialSimulation {
     failures: Vec<FaceFailure>,
     /// Step and element of the first tetrahedron that turned inside out.
     first_inversion: Option<(u64, usize)>,
-    /// What each planned tetrahedron does to its nodes.
-    tetrahedron_slots: Vec<TetrahedronResponse>,
+    /// What each block of tetrahedra does to its nodes.
+    tetrahedron_slots: Vec<TetrahedronResponses>,
     /// What each planned ten-node tetrahedron does to its nodes.
     quadratic_slots: Vec<tetrahedron10::Response>,
-    /// What each planned joint does to its nodes.
-    joint_slots: Vec<JointResponse>,
+    /// What each block of joints does to its nodes.
+    joint_slots: Vec<JointResponses>,
     /// Boundary conditions of the present step.
     drives: Vec<Drive>,
     pub(super) clock: PhaseClock,
@@ -236,9 +238,10 @@ impl SpatialSimulation {
 
     /// Buffers of the step loop, which allocates nothing.
     fn make_room(&mut self) {
-        self.tetrahedron_slots = vec![TetrahedronResponse::default(); self.plan.tetrahedra.len()];
+        self.tetrahedron_slots =
+            vec![TetrahedronResponses::default(); self.plan.tetrahedron_blocks.len()];
         self.quadratic_slots = vec![tetrahedron10::Response::default(); self.plan.quadratic.len()];
-        self.joint_slots = vec![JointResponse::default(); self.plan.joints.len()];
+        self.joint_slots = vec![JointResponses::default(); self.plan.joint_blocks.len()];
         self.failures.reserve(self.plan.joints.len());
     }
 }

@@ -65,7 +65,10 @@ impl SpatialSimulation {
         let slot = self.plan.slot_of_element.get(element).copied().flatten();
         let quadratic = self.plan.quadratic_of_element.get(element).copied().flatten();
         match (slot, quadratic) {
-            (Some(slot), _) => self.tetrahedron_slots[slot as usize].stress,
+            (Some(slot), _) => {
+                let [block, lane] = self.plan.tetrahedra[slot as usize].place;
+                self.tetrahedron_slots[block as usize].stress(lane as usize)
+            }
             (None, Some(slot)) => self.quadratic_slots[slot as usize].stress,
             (None, None) => Matrix3::zeros(),
         }
@@ -78,7 +81,7 @@ impl SpatialSimulation {
         let planned = &self.plan.tetrahedra[slot as usize];
         let law = &self.plan.laws[planned.material as usize];
         let corners = planned.corners.map(|n| self.scene.nodes.current[n as usize]);
-        Some(tetrahedron::strain_energy(law, &planned.reference, &corners))
+        Some(tetrahedron::strain_energy(law, &self.plan.reference(planned), &corners))
     }
 
     /// Values of the history outputs.
@@ -130,7 +133,7 @@ impl SpatialSimulation {
         let energies = self.plan.tetrahedra.iter().map(|planned| {
             let corners = planned.corners.map(|n| places[n as usize]);
             let law = &self.plan.laws[planned.material as usize];
-            tetrahedron::strain_energy(law, &planned.reference, &corners)
+            tetrahedron::strain_energy(law, &self.plan.reference(planned), &corners)
         });
         energies.sum()
     }
