@@ -6,9 +6,9 @@
 use super::{
     Slip, Vec3,
     clearance3::{ALL_PAIRS, Asked, Clearance},
-    friction3::{Contact, velocity},
-    overlap3::{FaceForce, overlap, overlap_in},
-    potential::{OnFaces, Shape3, press_faces},
+    friction3::{Contact, Pressure, velocity},
+    overlap3::{FaceForce, overlap_in},
+    potential::Shape3,
     surfaces::Surfaces,
     two_sided::TwoSided,
     visits::{Visit, Visits},
@@ -70,10 +70,9 @@ impl Step<'_> {
         &self,
         visit: &Visit,
         bodies: [&Shape3; 2],
-        [on_contactor, on_target]: [Option<&OnFaces>; 2],
+        contact: &Contact,
         pair: &PairProperties,
-    ) -> Option<([[Vec3; 4]; 2], Slip)> {
-        let contact = Contact::new(bodies, on_contactor?, on_target, pair.penalty)?;
+    ) -> ([[Vec3; 4]; 2], Slip) {
         let nodes = visit.participants.map(|place| &self.visits.bodies.nodes[place as usize]);
         let [(target, on_target), (contactor, on_contactor)] = [0, 1].map(|t| {
             let velocities = nodes[t].map(|node| self.velocities[node as usize]);
@@ -81,7 +80,7 @@ impl Step<'_> {
         });
         let mut slip = *self.couples.kept(visit.slot);
         let force = contact.friction(&mut slip, &(contactor - target), pair, self.dt);
-        Some(([on_target.map(|n| force * -n), on_contactor.map(|n| force * n)], slip))
+        ([on_target.map(|n| force * -n), on_contactor.map(|n| force * n)], slip)
     }
 }
 
@@ -112,69 +111,87 @@ impl Chunk {
     fn evaluate_in<L: Lanes>(&mut self, step: &Step<'_>, couples: &[u32]) {
         self.exerted.clear();
         self.slips.clear();
-        if step.law != SpatialContact::default() {
-            couples.iter().for_each(|&couple| self.evaluate_options(step, couple));
-            return;
-        }
-        let bodies = &step.visits.bodies;
-        for &couple in couples {
-            let visit = &step.visits.list[couple as usize];
-            let [target, contactor] = visit.participants.map(|place| place as usize);
-            let penalty = step.surfaces.pair(visit.rank).penalty;
-            overlap_in::<L>(
-                &bodies.targets[target],
-                &bodies.contactors[contactor],
-                step.visits.active(couple),
-                penalty,
-                |force| self.exerted.push((visit.participants, Exerted::Faces(force))),
-            );
+        match step.law {
+            SpatialContact { pressed: PressedFaces::Contactor, has_friction: false } => {
+                for &couple in couples {
+                    self.press_faces::<L>(step, couple, |_, _, _| {});
+                }
+            }
+            SpatialContact { pressed: PressedFaces::Contactor, has_friction: true } => {
+                for &couple in couples {
+                    let mut pressure = Pressure::default();
+                    self.press_faces::<L>(step, couple, |corners, force, double_area| {
+                        pressure.add(corners, force, double_area);
+                    });
+                    self.rub(step, couple, pressure.contact());
+                }
+            }
+            SpatialContact { pressed: PressedFaces::Both, .. } => {
+                couples.iter().for_each(|&couple| self.press_bodies(step, couple));
+            }
         }
     }
 
-    /// A couple under another law than the original's.
-    fn evaluate_options(&mut self, step: &Step<'_>, couple: u32) {
+    /// The original's law: `see` is told the corners of the contactor, each force on a face of it,
+    /// and twice the area on which that acts.
+    #[inline(always)]
+    fn press_faces<L: Lanes>(
+        &mut self,
+        step: &Step<'_>,
+        couple: u32,
+        mut see: impl FnMut(&[Vec3; 4], &FaceForce, f64),
+    ) {
         let bodies = &step.visits.bodies;
         let visit = &step.visits.list[couple as usize];
         let [target, contactor] = visit.participants.map(|place| place as usize);
+        overlap_in::<L>(
+            &bodies.targets[target],
+            &bodies.contactors[contactor],
+            step.visits.active(couple),
+            step.surfaces.pair(visit.rank).penalty,
+            |force, double_area| {
+                see(&bodies.targets[contactor].corners, &force, double_area);
+                self.exerted.push((visit.participants, Exerted::Faces(force)));
+            },
+        );
+    }
+
+    /// The law under which both bodies press.
+    fn press_bodies(&mut self, step: &Step<'_>, couple: u32) {
+        let visit = &step.visits.list[couple as usize];
         let pair = step.surfaces.pair(visit.rank);
-        let shape = |place: usize| Shape3::new(bodies.targets[place].corners);
-        let before = self.exerted.len();
-        // what friction sees: shapes, and the faces under pressure of contactor and target
-        let mut pressed = None;
-        match step.law.pressed {
-            PressedFaces::Contactor => {
-                overlap(
-                    &bodies.targets[target],
-                    &bodies.contactors[contactor],
-                    step.visits.active(couple),
-                    pair.penalty,
-                    |force| self.exerted.push((visit.participants, Exerted::Faces(force))),
-                );
-                if step.law.has_friction && self.exerted.len() > before {
-                    let shapes = [shape(target), shape(contactor)];
-                    let on_contactor = press_faces(&shapes[0], &shapes[1]);
-                    pressed = Some((shapes, [Some(on_contactor), None]));
-                }
-            }
-            PressedFaces::Both => {
-                let shapes = [shape(target), shape(contactor)];
-                if let Some(both) = TwoSided::new([&shapes[0], &shapes[1]], pair.penalty) {
-                    self.exerted.push((visit.participants, Exerted::Bodies(both.forces)));
-                    pressed = Some((shapes, both.pressed.map(|side| Some(side.faces))));
-                }
-            }
+        let bodies = &step.visits.bodies;
+        let [target, contactor] =
+            visit.participants.map(|place| Shape3::new(bodies.targets[place as usize].corners));
+        let found = TwoSided::new([&target, &contactor], pair.penalty);
+        if let Some(both) = &found {
+            self.exerted.push((visit.participants, Exerted::Bodies(both.forces)));
         }
         if step.law.has_friction {
-            let friction = pressed.and_then(|(shapes, on_faces)| {
-                let on_faces = [on_faces[0].as_ref(), on_faces[1].as_ref()];
-                step.friction(visit, [&shapes[0], &shapes[1]], on_faces, &pair)
+            let contact = found.and_then(|both| {
+                let [on_contactor, on_target] = &both.pressed;
+                let pressed = [&on_contactor.faces, &on_target.faces];
+                Contact::new([&target, &contactor], pressed, pair.penalty)
             });
-            let (forces, slip) = friction.unzip();
-            if let Some(forces) = forces {
-                self.exerted.push((visit.participants, Exerted::Bodies(forces)));
-            }
-            self.slips.push((visit.slot, slip.unwrap_or_default()));
+            self.rub(step, couple, contact);
         }
+    }
+
+    /// Friction of a couple in contact; the spring of one that is not is let go.
+    fn rub(&mut self, step: &Step<'_>, couple: u32, contact: Option<Contact>) {
+        let visit = &step.visits.list[couple as usize];
+        let mut slip = Slip::default();
+        if let Some(contact) = contact {
+            let bodies = &step.visits.bodies;
+            let shapes =
+                visit.participants.map(|place| Shape3::new(bodies.targets[place as usize].corners));
+            let pair = step.surfaces.pair(visit.rank);
+            let (forces, stretched) =
+                step.friction(visit, [&shapes[0], &shapes[1]], &contact, &pair);
+            self.exerted.push((visit.participants, Exerted::Bodies(forces)));
+            slip = stretched;
+        }
+        self.slips.push((visit.slot, slip));
     }
 
     fn scatter(&self, step: &Step<'_>, forces: &mut [Vec3], slips: &mut Vec<(u32, Slip)>) {

@@ -8,6 +8,7 @@
 
 use super::{
     FACES, Slip, Vec3, dot,
+    overlap3::FaceForce,
     potential::{OnFaces, Shape3},
     two_sided::FACTOR,
 };
@@ -26,22 +27,58 @@ pub(super) struct Contact {
     pub area: f64,
 }
 
+/// The normal forces of a couple, summed up.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Pressure {
+    /// On the contactor, N.
+    sum: Vec3,
+    /// Sizes of the forces, N, and these times where they act, N m.
+    size: f64,
+    moment: Vec3,
+    double_area: f64,
+}
+
+impl Pressure {
+    /// Adds the force on a face of a contactor with these corners, and twice the area on which it
+    /// acts, m².
+    #[inline(always)]
+    pub fn add(&mut self, corners: &[Vec3; 4], force: &FaceForce, double_area: f64) {
+        let mut size = 0.0;
+        for (share, corner) in force.contactor.iter().zip(corners) {
+            size += share;
+            self.moment += corner * *share;
+        }
+        self.sum += force.normal * size;
+        self.size += size;
+        self.double_area += double_area;
+    }
+
+    /// Where and how strongly the contactor presses on the target, if it does.
+    pub fn contact(&self) -> Option<Contact> {
+        let force = dot(&self.sum, &self.sum).sqrt();
+        (force > 0.0 && self.size > 0.0).then(|| Contact {
+            normal: self.sum / force,
+            force,
+            centre: self.moment / self.size,
+            area: 0.5 * self.double_area,
+        })
+    }
+}
+
 impl Contact {
-    /// From the faces of the contactor in the target's potential and, where both sides count, the
-    /// faces of the target in that of the contactor.
+    /// From the faces of the contactor in the target's potential, and the faces of the target in that
+    /// of the contactor.
     pub fn new(
         [target, contactor]: [&Shape3; 2],
-        on_contactor: &OnFaces,
-        on_target: Option<&OnFaces>,
+        [on_contactor, on_target]: [&OnFaces; 2],
         penalty: f64,
     ) -> Option<Self> {
         let mut sum = Vec3::zeros();
         let mut centre = Vec3::zeros();
         let mut weight = 0.0;
-        let sides = [(Some(on_contactor), contactor, -1.0), (on_target, target, 1.0)];
+        let sides = [(on_contactor, contactor, -1.0), (on_target, target, 1.0)];
         let mut area = 0.0;
         for (pressed, body, sign) in sides {
-            let Some(pressed) = pressed else { continue };
             area += pressed.area;
             for i in 0..FACES.len() {
                 let force = pressed.nodes[i] * sign;

@@ -31,7 +31,7 @@ impl FaceForce {
 }
 
 /// Calls `exert` with the forces of a couple, in the original's order: the target's faces, and for
-/// each of them the contactor's.
+/// each of them the contactor's; and with twice the area that each acts on, m².
 ///
 /// `active` are the pairs of faces that may do something (bit `4 * target face + contactor face`);
 /// `penalty` is that of the couple, Pa.
@@ -41,7 +41,7 @@ pub(super) fn overlap_in<L: Lanes>(
     contactor: &Contactor,
     active: u16,
     penalty: f64,
-    mut exert: impl FnMut(FaceForce),
+    mut exert: impl FnMut(FaceForce, f64),
 ) {
     let faces = active | active >> 8;
     let faces = faces | faces >> 4;
@@ -51,6 +51,7 @@ pub(super) fn overlap_in<L: Lanes>(
             views[face] = Some(View::new(target, &contactor.frames[face]));
         }
     }
+    let mut polygon = Polygon::empty();
     let mut pairs = active;
     while pairs != 0 {
         let pair = pairs.trailing_zeros() as usize;
@@ -61,20 +62,20 @@ pub(super) fn overlap_in<L: Lanes>(
         };
         let frame = &contactor.frames[face];
         let section = view.section::<L>(target_face);
-        let Some(polygon) = Polygon::common(&section, frame, Signs::of::<L>(&section, frame))
-        else {
+        if !polygon.intersect(&section, frame, Signs::of::<L>(&section, frame)) {
             continue;
-        };
+        }
         let potential = Potential::new(view, frame, target_face);
         let resultant = Resultant::of(&polygon, &potential, penalty);
         if resultant.force == 0.0 {
             continue;
         }
-        exert(FaceForce {
+        let force = FaceForce {
             normal: frame.normal,
             target: shares::of_target(view, target_face, potential.volume, &resultant),
             contactor: shares::of_contactor(frame, face, &resultant),
-        });
+        };
+        exert(force, polygon.double_area());
     }
 }
 
@@ -92,7 +93,8 @@ pub fn overlap(
 
         #[inline(always)]
         fn run<L: Lanes>(self) {
-            overlap_in::<L>(self.0, self.1, self.2, self.3, self.4);
+            let mut exert = self.4;
+            overlap_in::<L>(self.0, self.1, self.2, self.3, |force, _| exert(force));
         }
     }
     lanes::run(One(target, contactor, active, penalty, exert));

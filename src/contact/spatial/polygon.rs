@@ -15,7 +15,9 @@ pub(super) struct Polygon {
 }
 
 impl Polygon {
-    fn empty() -> Self {
+    /// Room for one.
+    #[inline(always)]
+    pub fn empty() -> Self {
         Self { points: [[0.0; 2]; MOST], len: 0 }
     }
 
@@ -28,33 +30,42 @@ impl Polygon {
         &self.points[..self.len]
     }
 
-    /// What a section and a face have in common, if that has three corners at least.
+    /// Twice its area, m².
     #[inline(always)]
-    pub fn common(section: &Section, frame: &Frame, signs: Signs) -> Option<Self> {
+    pub fn double_area(&self) -> f64 {
+        let points = self.points();
+        let [first, rest @ ..] = points else { return 0.0 };
+        rest.windows(2).map(|edge| cross(*first, edge[0], edge[1])).sum()
+    }
+
+    /// Becomes what a section and a face have in common, if that has three corners at least;
+    /// whether it has.
+    #[inline(always)]
+    pub fn intersect(&mut self, section: &Section, frame: &Frame, signs: Signs) -> bool {
         if signs.corners() < 3 {
-            return None;
+            return false;
         }
-        let mut polygon = Self::empty();
+        self.len = 0;
         if signs.face_inside == ALL_OF_FACE {
-            frame.corners.iter().for_each(|&corner| polygon.push(corner));
-            return Some(polygon);
+            frame.corners.iter().for_each(|&corner| self.push(corner));
+            return true;
         }
         for i in (0..section.len).filter(|i| signs.section_inside & 1 << i != 0) {
-            polygon.push(section.point(i));
+            self.push(section.point(i));
         }
-        if polygon.len == section.len {
-            return Some(polygon);
+        if self.len == section.len {
+            return true;
         }
         for j in (0..3).filter(|j| signs.face_inside & 1 << j != 0) {
-            polygon.push(frame.corners[j]);
+            self.push(frame.corners[j]);
         }
         for i in 0..section.len {
             for j in (0..3).filter(|j| signs.crossings & 1 << (4 * j + i) != 0) {
-                polygon.push(crossing(section, i, &frame.corners, j));
+                self.push(crossing(section, i, &frame.corners, j));
             }
         }
-        polygon.put_in_order();
-        Some(polygon)
+        self.put_in_order();
+        true
     }
 
     /// Sorts the corners counter-clockwise around the lowest one.

@@ -64,26 +64,6 @@ impl Piece {
         }
     }
 
-    /// The part in which a coordinate in the other body is positive; the whole stays whole.
-    fn cut(&mut self, node: usize) {
-        let side = |corner: &Corner| corner.inside[node];
-        if self.corners().iter().all(|corner| side(corner) >= 0.0) {
-            return;
-        }
-        let whole = *self;
-        self.len = 0;
-        for (i, a) in whole.corners().iter().enumerate() {
-            let b = &whole.corners[if i + 1 == whole.len { 0 } else { i + 1 }];
-            let (here, there) = (side(a), side(b));
-            if here >= 0.0 {
-                self.push(*a);
-            }
-            if (here >= 0.0) != (there >= 0.0) {
-                self.push(Corner::between(a, b, here / (here - there)));
-            }
-        }
-    }
-
     /// Adds the parts in each of which one coordinate in the other body is the lowest. Every part of
     /// the piece counts once: if all of it lies where two are equal, for one of them.
     fn add_to(&self, sums: &mut FaceSums) {
@@ -299,28 +279,6 @@ pub(super) fn press(bodies: [&Shape3; 2], common: &Common) -> [Pressed; 2] {
             *owner += normal * moment;
         }
         sum.volume_integral += distance * (sums.potential / 4.0 + sums.share / 12.0);
-    }
-    pressed
-}
-
-/// The faces of `body` in the potential of `owner`.
-pub(super) fn press_faces(owner: &Shape3, body: &Shape3) -> OnFaces {
-    let mut pressed = OnFaces::default();
-    let coordinates = each!(4, |i| owner.coordinates(&body.corners[i]));
-    for (opposite, nodes) in FACE_NODES.into_iter().enumerate() {
-        let lies_beyond = |i: usize| nodes.iter().all(|&node| coordinates[node][i] <= ROUNDING);
-        if (0..4).any(lies_beyond) {
-            continue;
-        }
-        let mut piece = Piece::empty();
-        for (k, &node) in nodes.iter().enumerate() {
-            let on_face = each!(2, |i| f64::from(u8::from(i == k)));
-            piece.push(Corner { inside: coordinates[node], on_face });
-        }
-        (0..4).for_each(|node| piece.cut(node));
-        let mut sums = FaceSums::default();
-        piece.add_to(&mut sums);
-        pressed.add(nodes, &body.normal(opposite), &sums);
     }
     pressed
 }
