@@ -55,6 +55,9 @@ pub(super) fn deck(
     if let Some(joints) = &model.joints {
         builder = write_deck::joint_sets(builder, [&joints.inside, &joints.mortar], JOINT);
         builder = write_deck::insertion(builder, &model.substances, properties);
+        if model.contact_at_cracks {
+            builder = builder.integer("YDPM/IAUTBN", 0);
+        }
     }
     write_deck::conditions(builder, &conditions.sets, &conditions.instants).run().stop().build()
 }
@@ -78,12 +81,15 @@ fn nodes(builder: DeckBuilder, model: &SpatialModel, conditions: &Conditions) ->
         .integers("YDN/I1NOPR", conditions.of_node.iter().map(|&set| length(set)).collect())
 }
 
-/// 1 for nodes at the surface of a body.
+/// 1 for nodes at the surface of a body; where contact begins at cracks, at that of bodies without
+/// joints.
 fn boundary(model: &SpatialModel) -> Vec<i64> {
     let mut flags = vec![0; model.mesh.nodes.len()];
     for (face, sides) in model.mesh.faces() {
         let bonded = |&side: &usize| model.bonded(model.mesh.tetrahedra[side].material);
-        if sides.len() == 1 || sides.iter().any(bonded) {
+        let touches =
+            if sides.iter().any(bonded) { !model.contact_at_cracks } else { sides.len() == 1 };
+        if touches {
             face.iter().for_each(|&node| flags[node] = 1);
         }
     }

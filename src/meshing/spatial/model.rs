@@ -19,6 +19,9 @@ pub struct SpatialModel {
     pub substances: Vec<Substance>,
     /// Joints, where substances are bonded by them.
     pub joints: Option<Joints>,
+    /// Whether bonded tetrahedra touch only where a joint between them has failed: for runs that follow
+    /// the published source, which flags the nodes of such joints.
+    pub contact_at_cracks: bool,
     /// Nodes that are held or driven, by name; later ones replace earlier ones.
     pub supports: Vec<Support<3>>,
     /// Velocities at the start; zero where there are none \[m/s\].
@@ -53,6 +56,7 @@ impl SpatialModel {
             mesh,
             substances: materials.into_iter().map(substance).collect(),
             joints: None,
+            contact_at_cracks: false,
             supports: Vec::new(),
             velocities: BTreeMap::new(),
             start: BTreeMap::new(),

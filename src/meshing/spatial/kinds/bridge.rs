@@ -55,6 +55,7 @@ impl Bridge3d {
         number_blocks(&mut mesh);
         let nodes = section.mesh.nodes.len();
         let mut model = SpatialModel {
+            contact_at_cracks: false,
             title: format!("{}, {} m deep", section.title, self.depth_m),
             volume: section.area * self.depth_m,
             bodies: section.bodies,

@@ -33,6 +33,9 @@ pub struct Wall3d {
     /// Whether joints break between all tetrahedra: `inside` those of a brick, `mortar` between
     /// bricks. If not, bricks touch each other only.
     pub bonded: bool,
+    /// Whether mortared bricks touch only where mortar or bricks have cracked, as far as `ypsilon run
+    /// --profile source` follows it; if not, all tetrahedra touch from the start.
+    pub contact_at_cracks: bool,
     /// Joints between tetrahedra of a brick.
     pub inside: Joint,
     /// Joints between bricks.
@@ -75,6 +78,7 @@ impl Default for Wall3d {
             bond: BrickBond::English,
             cells: [1; 3],
             bonded: false,
+            contact_at_cracks: false,
             inside: Joint::inside_stone(),
             mortar: Joint::default(),
             push_m_s: [0.0, 0.1, 0.0],
@@ -135,6 +139,7 @@ impl Wall3d {
             let (material, bond) = (self.material, Bond::Blocks);
             model.substances = vec![Substance { name: "bricks", material, bond }];
             model.joints = Some(Joints { inside: self.inside, mortar: self.mortar });
+            model.contact_at_cracks = self.contact_at_cracks;
             model.bodies = 1;
         }
         model.gravity_m_s2 = self.gravity_m_s2;
