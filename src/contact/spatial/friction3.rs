@@ -60,7 +60,8 @@ impl Pressure {
             normal: self.sum / force,
             force,
             centre: self.moment / self.size,
-            area: 0.5 * self.double_area,
+            // corners of a sliver may be in the wrong order, but for rounding
+            area: (0.5 * self.double_area).max(0.0),
         })
     }
 }
@@ -134,6 +135,21 @@ mod tests {
 
     const PAIR: PairProperties =
         PairProperties { penalty: 1e6, tangential_penalty: 1e4, friction: 0.5 };
+
+    /// Rounding can turn the corners of a sliver round.
+    #[test]
+    fn a_sliver_without_area_rubs_with_finite_force() {
+        let corners = [[0.0; 3], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]].map(Vec3::from);
+        let force =
+            FaceForce { normal: Vec3::z(), target: [0.0; 4], contactor: [0.1, 0.2, 0.3, 0.0] };
+        let mut pressure = Pressure::default();
+        pressure.add(&corners, &force, -1e-18);
+        let contact = pressure.contact().expect("a force");
+        assert!((contact.centre - Vec3::new(0.2, 0.3, 0.0) / 0.6).norm() < 1e-12);
+        let mut slip = [0.0; 3];
+        let friction = contact.friction(&mut slip, &Vec3::x(), &PAIR, 1e-3);
+        assert!(friction.norm() <= 0.5 * 0.6 * (1.0 + 1e-12), "{friction}");
+    }
 
     proptest! {
         /// Friction lies in the surface, within the cone, and never drives the sliding.

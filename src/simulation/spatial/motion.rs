@@ -19,6 +19,9 @@ pub(super) struct Drive {
     axes: Matrix3<f64>,
     /// Inverse of the axes, if a velocity is prescribed along one of them.
     inverse: Option<Matrix3<f64>>,
+    /// What the amplitudes add to accelerations, where they are all 0 and no velocity is prescribed: a
+    /// zero with the sign of their sum.
+    nothing: Option<[f64; 3]>,
 }
 
 impl Drive {
@@ -36,9 +39,13 @@ impl Drive {
             None => (1.0, NodeSet { axes: Matrix3::identity(), ..scene.node_sets[set].clone() }),
         };
         let prescribed = conditions.contains(&Condition::Velocity);
+        let amplitudes = amplitudes.map(|a| a * factor);
+        let is_idle = !prescribed && amplitudes.iter().all(|a| a.to_bits() == 0);
+        let nothing = |k| (0..3).map(|j| axes.axes[(k, j)] * 0.0).sum();
         Self {
+            nothing: is_idle.then(|| std::array::from_fn(nothing)),
             conditions: *conditions,
-            amplitudes: amplitudes.map(|a| a * factor),
+            amplitudes,
             gravity: std::array::from_fn(|k| match axes.acceleration[k] {
                 0.0 => scene.control.gravity[k],
                 added => scene.control.gravity[k] + added,
@@ -53,6 +60,12 @@ impl Drive {
     #[inline]
     fn velocity(&self, velocity: Vec3, force: Vec3, mass: f64) -> Vec3 {
         let acceleration = force / mass;
+        if let Some(nothing) = &self.nothing {
+            return Vec3::from_fn(|k, _| {
+                let a = self.gravity[k] + acceleration[k] + nothing[k];
+                velocity[k] + a * self.dt
+            });
+        }
         let added: [f64; 3] = std::array::from_fn(|k| match self.conditions[k] {
             Condition::Acceleration => self.amplitudes[k],
             Condition::Force => self.amplitudes[k] / mass,
