@@ -209,7 +209,11 @@ fn bar(options: &SolidOptions, [low, high]: [f64; 2], map: ColourMap, height: f6
         let y = at((value * factor - low) / (high - low));
         shapes.push(text([left + BAR + 6.0, y + 0.35 * SMALL], label, SMALL, Anchor::Start));
     }
-    let name = format!("{} ({letters}{})", options.quantity, options.unit);
+    let unit = format!("{letters}{}", options.unit);
+    let name = match unit.is_empty() {
+        true => options.quantity.clone(),
+        false => format!("{} ({unit})", options.quantity),
+    };
     let end = left + BAR + 70.0;
     shapes.push(text([end, top - 12.0], &name, MEDIUM, Anchor::End));
     shapes
