@@ -20,6 +20,21 @@ use ypsilon::{
 };
 use ypsilon_post::{plot::Picture, results::Results, table::Table};
 
+/// How a structure in space is run, beyond its deck. The default is what the thesis's program does.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct InSpace {
+    /// Law of contact.
+    pub contact: SpatialContact,
+    /// Program that is followed.
+    pub profile: Profile,
+}
+
+impl From<SpatialContact> for InSpace {
+    fn from(contact: SpatialContact) -> Self {
+        Self { contact, ..Self::default() }
+    }
+}
+
 /// How much of a case is run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Length {
@@ -182,7 +197,7 @@ impl Bench {
         }
         let (generated, deck) = self.deck(scenario, name)?;
         let started = Instant::now();
-        let loaded = load(&deck, SolverOptions::default())?;
+        let loaded = load(&deck, Profile::default(), SolverOptions::default())?;
         let mut formats = formats.to_vec();
         formats.push(Format::Json);
         let options = RunOptions {
@@ -247,7 +262,7 @@ impl Bench {
         mut watch: impl FnMut(&Simulation) -> ControlFlow<()>,
     ) -> Result<Watched, CaseError> {
         let (generated, deck) = self.deck(scenario, name)?;
-        let loaded = load(&deck, SolverOptions::default())?;
+        let loaded = load(&deck, Profile::default(), SolverOptions::default())?;
         let Some(mut simulation) = loaded.simulation.and_then(AnySimulation::into_plane) else {
             return Err(CaseError::missing(format!("{} runs nothing", deck.display())));
         };
@@ -255,7 +270,7 @@ impl Bench {
         Ok(Watched { generated, simulation, is_unstable, seconds })
     }
 
-    /// The same for a structure in space, with a law of contact.
+    /// The same for a structure in space.
     ///
     /// # Errors
     /// As [`Bench::watch`].
@@ -263,14 +278,15 @@ impl Bench {
         &self,
         scenario: &Scenario,
         name: &str,
-        contact: SpatialContact,
+        how: impl Into<InSpace>,
         mut watch: impl FnMut(&SpatialSimulation) -> ControlFlow<()>,
     ) -> Result<WatchedInSpace, CaseError> {
         let generated = scenario.generate_in_space()?;
         let deck = self.deck_path(name);
         session::write_generated(&generated.deck, &deck)?;
+        let InSpace { contact, profile } = how.into();
         let options = SolverOptions { spatial_contact: contact, ..SolverOptions::default() };
-        let loaded = load(&deck, options)?;
+        let loaded = load(&deck, profile, options)?;
         let Some(mut simulation) = loaded.simulation.and_then(AnySimulation::into_spatial) else {
             return Err(CaseError::missing(format!("{} runs nothing", deck.display())));
         };
@@ -371,11 +387,15 @@ fn is_sound(simulation: &impl Moving) -> bool {
     measure::kinetic_energy(simulation).is_finite()
 }
 
-fn load(deck: &Path, options: SolverOptions) -> Result<session::LoadedDeck, CaseError> {
+fn load(
+    deck: &Path,
+    profile: Profile,
+    options: SolverOptions,
+) -> Result<session::LoadedDeck, CaseError> {
     let team = Team::of_all_cores()
         .map_err(|source| CaseError::Io { path: deck.to_path_buf(), source })?;
     let options = SolverOptions { team, ..options };
-    session::load(deck, None, Profile::default(), options).map_err(|fault| {
+    session::load(deck, None, profile, options).map_err(|fault| {
         let message = match &fault {
             DeckFault::Findings { findings, .. } => {
                 findings.iter().map(ToString::to_string).collect::<Vec<_>>().join("; ")

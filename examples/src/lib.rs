@@ -19,7 +19,7 @@ pub mod plotting;
 pub mod record;
 pub mod report;
 
-pub use bench::{Bench, Length, Run, Watched, WatchedInSpace};
+pub use bench::{Bench, InSpace, Length, Run, Watched, WatchedInSpace};
 pub use case::{Case, Group, Outcome};
 pub use error::CaseError;
 pub use finding::{Expected, Finding, Obtained, Tolerance};

@@ -14,4 +14,5 @@ support::test_cases! {
     elastic_impact: "elastic-impact-3d";
     damping: "damping-3d";
     contact_laws: "contact-laws-3d";
+    wall: "wall-3d";
 }
