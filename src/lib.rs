@@ -20,6 +20,7 @@ pub mod scene;
 pub mod session;
 pub mod simulation;
 pub mod stability;
+pub mod sweep;
 pub mod team;
 
 /// The absolute tolerance of the original program: lengths, areas, masses and

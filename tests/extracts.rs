@@ -182,7 +182,7 @@ fn the_command_writes_tables_and_tells_what_is_wrong() {
     assert_eq!((code, printed.lines().next()), (Some(0), Some("time (s),kinetic energy (J)")));
 
     for (words, expected_code, message) in [
-        (&["history"][..], 2, "it needs --node N or --point X,Y"),
+        (&["history"][..], 2, "it needs --node N, --point X,Y or --nearest X,Y"),
         (&["history", "--node", "99"], 1, "nodes run from 0 to 24"),
         (&["history", "--point", "7,7"], 1, "no triangle holds the point (7; 7)"),
         (&["line", "--from", "0,0"], 2, "it needs --to"),

@@ -15,5 +15,5 @@ pub use force_displacement::force_displacement;
 pub use histories::{Place, histories};
 pub use joints::joint_counts;
 pub use lines::{Path, along};
-pub use locate::Locator;
+pub use locate::{Locator, nearest_corner};
 pub use top_line::top_line;

@@ -13,6 +13,8 @@
 mod error;
 pub mod extract;
 pub mod field;
+#[cfg(feature = "parquet")]
+pub mod parquet;
 pub mod plot;
 pub mod results;
 pub mod selection;

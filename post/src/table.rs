@@ -56,14 +56,8 @@ impl Table {
     /// be read back exactly, `nan` where there is none.
     #[must_use]
     pub fn to_csv(&self) -> String {
-        let quoted = |heading: &String| {
-            if heading.contains([',', '"']) {
-                format!("\"{}\"", heading.replace('"', "\"\""))
-            } else {
-                heading.clone()
-            }
-        };
-        let mut text = self.headings.iter().map(quoted).collect::<Vec<_>>().join(",");
+        let headings = self.headings.iter().map(|heading| quoted(heading));
+        let mut text = headings.collect::<Vec<_>>().join(",");
         text.push('\n');
         for row in &self.rows {
             text.push_str(&row.iter().map(|&v| number(v)).collect::<Vec<_>>().join(","));
@@ -136,6 +130,16 @@ impl Table {
             table.rows.push(row.collect::<Result<_, _>>()?);
         }
         Ok(table)
+    }
+}
+
+/// A cell of CSV: in quotes where it has commas, quotes or line ends.
+#[must_use]
+pub fn quoted(cell: &str) -> String {
+    if cell.contains([',', '"', '\n', '\r']) {
+        format!("\"{}\"", cell.replace('"', "\"\""))
+    } else {
+        cell.to_owned()
     }
 }
 

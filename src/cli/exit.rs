@@ -25,6 +25,8 @@ pub enum Exit {
     Unstable = 4,
     /// A deck that was checked runs, but there are warnings.
     Doubtful = 5,
+    /// Some cases of a sweep have failed or are missing.
+    SomeFailed = 6,
     /// The user interrupted the run.
     Interrupted = 130,
 }

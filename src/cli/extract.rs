@@ -62,6 +62,9 @@ pub(super) struct ExtractArguments {
     /// Point of a history, m, in the undeformed bodies
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     point: Vec<String>,
+    /// Point whose nearest node gives a history, m, in the undeformed bodies
+    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    nearest: Vec<String>,
     /// Where a line begins, m, in the undeformed bodies
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
     from: Option<String>,
@@ -152,8 +155,11 @@ fn extract(arguments: &ExtractArguments) -> Result<Table, PostError> {
             for words in &arguments.point {
                 places.push(Place::Point(numbers::<2>("--point", words)?));
             }
+            for words in &arguments.nearest {
+                places.push(Place::Nearest(numbers::<2>("--nearest", words)?));
+            }
             if places.is_empty() {
-                return Err(needed(arguments.what, "--node N or --point X,Y"));
+                return Err(needed(arguments.what, "--node N, --point X,Y or --nearest X,Y"));
             }
             let fields = fields(&[Field::DisplacementX, Field::DisplacementY])?;
             histories(&mut Results::open(&arguments.results)?, &places, &fields)

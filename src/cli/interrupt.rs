@@ -19,6 +19,17 @@ pub(super) fn install() {
     });
 }
 
+/// Makes the end of the standard input end the run at its next step. Who starts runs and holds the
+/// other end of a pipe ends them by letting go of it, on every system, and they end with it when it
+/// is killed.
+pub(super) fn watch_input() {
+    std::thread::spawn(|| {
+        // an input that cannot be read has ended, too
+        let _ = std::io::copy(&mut std::io::stdin().lock(), &mut std::io::sink());
+        INTERRUPTED.store(true, Ordering::Relaxed);
+    });
+}
+
 /// Whether Ctrl-C was pressed.
 pub(super) fn is_requested() -> bool {
     INTERRUPTED.load(Ordering::Relaxed)

@@ -14,6 +14,8 @@ mod mesh;
 mod plot;
 mod progress;
 mod run;
+mod sweep;
+mod sweep_progress;
 
 use clap::{Parser, Subcommand};
 use std::process::ExitCode;
@@ -53,6 +55,9 @@ enum Command {
     Extract(extract::ExtractArguments),
     /// Make decks of bridges, walls, columns and blocks from parameters or scenario files
     Mesh(Box<mesh::MeshArguments>),
+    /// Run a parameter study: many cases of a deck or scenario, one table
+    #[command(after_help = sweep::HELP)]
+    Sweep(sweep::SweepArguments),
     /// Measure speed, memory and accuracy on scenes and decks
     #[command(after_help = bench::HELP)]
     Bench(bench::BenchArguments),
@@ -79,6 +84,7 @@ pub fn main() -> ExitCode {
         (Some(Command::Plot(plot)), _) => plot::main(&plot),
         (Some(Command::Extract(extract)), _) => extract::main(&extract),
         (Some(Command::Mesh(mesh)), _) => mesh::main(&mesh),
+        (Some(Command::Sweep(sweep)), _) => sweep::main(&sweep),
         (Some(Command::Bench(bench)), _) => bench::main(&bench),
         (Some(Command::Keywords(keywords)), _) => keywords::main(&keywords),
         (Some(Command::Completions(completions)), _) => manual::complete(&completions),

@@ -109,6 +109,9 @@ pub(super) struct RunArguments {
     /// Evaluate every couple in every step (slower, same results)
     #[arg(long, hide_short_help = true)]
     no_skip: bool,
+    /// End the run as Ctrl-C does when the standard input ends: whoever started it has gone
+    #[arg(long, hide = true)]
+    stop_at_eof: bool,
     /// Print nothing but errors
     #[arg(long, short)]
     quiet: bool,
@@ -167,6 +170,11 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
 }
 
 impl RunArguments {
+    /// The dialect that the deck is taken for, if it is said.
+    pub(super) fn dialect(&self) -> Option<Dialect> {
+        self.dialect
+    }
+
     /// How to settle, if the deck is to be settled.
     fn settling(&self) -> Option<SettlingOptions> {
         self.settle.then_some(SettlingOptions {
@@ -299,6 +307,9 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         return Exit::Usage;
     }
     interrupt::install();
+    if arguments.stop_at_eof {
+        interrupt::watch_input();
+    }
     let options = RunOptions {
         deck,
         folder: arguments.folder.clone(),

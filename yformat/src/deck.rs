@@ -10,6 +10,7 @@ mod builder;
 mod canonical;
 mod comment;
 mod edit;
+mod entry;
 mod include;
 mod item;
 mod lex;
@@ -19,6 +20,7 @@ mod reader;
 mod scan;
 mod spans;
 mod stages;
+mod substitute;
 mod unknown;
 pub(crate) mod words;
 mod write;
@@ -28,10 +30,12 @@ use crate::source::SourceMap;
 
 pub use array::{Array, Header};
 pub use builder::DeckBuilder;
+pub use entry::{Entry, EntryError, EntryPath, Number};
 pub use include::{FolderIncludes, IncludeLoader, NoIncludes};
 pub use item::{Assignment, Item, ItemKind, TailReason, Value};
 pub use reader::{DeckReader, ParseOutcome};
 pub use stages::Stage;
+pub use substitute::SubstituteError;
 
 /// A deck: its items in the order in which the program meets them, and the files that they come
 /// from.

@@ -1,6 +1,6 @@
 //! Values at places through time.
 
-use super::locate::Locator;
+use super::locate::{Locator, nearest_corner};
 use crate::error::PostError;
 use crate::field::Field;
 use crate::results::{Frame, Results};
@@ -14,6 +14,8 @@ pub enum Place {
     /// A point of the undeformed bodies, m: stresses are those of the triangle that holds it,
     /// nodal values are linear in that triangle.
     Point([f64; 2]),
+    /// The node of a triangle nearest to a point of the undeformed bodies, m.
+    Nearest([f64; 2]),
 }
 
 impl Place {
@@ -21,6 +23,7 @@ impl Place {
         match self {
             Self::Node(node) => format!("node {node}"),
             Self::Point([x, y]) => format!("({x}; {y})"),
+            Self::Nearest([x, y]) => format!("the node nearest to ({x}; {y})"),
         }
     }
 }
@@ -71,6 +74,10 @@ fn heading(field: Field, place: &Place) -> String {
 
 fn anchor(frame: &Frame, place: &Place) -> Result<Anchor, PostError> {
     match *place {
+        Place::Nearest(point) => match nearest_corner(frame, point) {
+            Some(node) => anchor(frame, &Place::Node(node)),
+            None => Err(PostError::Nothing("no node has finite coordinates".to_owned())),
+        },
         Place::Node(node) if node < frame.points.len() => {
             let mut corners = frame.triangles.iter();
             Ok(Anchor::Node(node, corners.position(|t| t.contains(&(node as u32)))))

@@ -75,6 +75,19 @@ impl<'a> Locator<'a> {
     }
 }
 
+/// The corner of a triangle that was nearest to a point at the start, the lowest number among
+/// equals. Nodes without a triangle, which joint insertion leaves behind, do not count.
+#[must_use]
+pub fn nearest_corner(frame: &Frame, point: [f64; 2]) -> Option<usize> {
+    let initial = frame.initial();
+    let mut corners: Vec<usize> = frame.triangles.iter().flatten().map(|&n| n as usize).collect();
+    corners.sort_unstable();
+    corners.dedup();
+    let distance = |&n: &usize| initial.get(n).map(|x| (x[0] - point[0]).hypot(x[1] - point[1]));
+    let found = corners.into_iter().filter_map(|n| Some((distance(&n)?, n)));
+    found.filter(|(d, _)| d.is_finite()).min_by(|a, b| a.0.total_cmp(&b.0)).map(|(_, n)| n)
+}
+
 /// Area coordinates of a point; `None` for triangles without area.
 fn weights([a, b, c]: [[f64; 2]; 3], p: [f64; 2]) -> Option<[f64; 3]> {
     let area = |a: [f64; 2], b: [f64; 2], c: [f64; 2]| {
@@ -88,6 +101,15 @@ fn weights([a, b, c]: [[f64; 2]; 3], p: [f64; 2]) -> Option<[f64; 3]> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_nearest_corner_belongs_to_a_triangle() {
+        let points = vec![[0.0, 0.0], [0.0, 0.0], [1.0, 0.0], [0.0, 1.0]];
+        let frame = Frame { points, triangles: vec![[1, 2, 3]], ..Frame::default() };
+        assert_eq!(nearest_corner(&frame, [0.1, 0.1]), Some(1));
+        assert_eq!(nearest_corner(&frame, [5.0, 0.1]), Some(2));
+        assert_eq!(nearest_corner(&frame, [f64::NAN, 0.1]), None);
+    }
 
     #[test]
     fn points_are_found_in_their_triangles() {

@@ -147,7 +147,7 @@ fn nodal_forces<L: Lanes>(
         let force = each!(3, |r| {
             stress[r][0] * normal[0] + stress[r][1] * normal[1] + stress[r][2] * normal[2]
         });
-        if i % 2 == 0 { force } else { each!(3, |r| -force[r]) }
+        if i.is_multiple_of(2) { force } else { each!(3, |r| -force[r]) }
     })
 }
 
