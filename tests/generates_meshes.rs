@@ -393,11 +393,14 @@ fn scenarios_with_mistakes_say_where() {
         "[wall]\n[[loads]]\ntype = \"settlement\"\n",
         "[wall]\ncourses = 0\n",
         "[column]\nblocks = 0\n",
+        "[column]\nblocks = 2000\ncells = [2000, 2000]\n",
+        "[cube_3d]\ncells = [2000, 2000, 2000]\n",
+        "[wall_3d]\ncells = [2000, 1, 2000]\n",
         "[column\n",
     ]
     .into_iter()
     .map(|text| {
-        let error = Scenario::parse(text).and_then(|scenario| scenario.generate());
+        let error = Scenario::parse(text).and_then(|scenario| scenario.generate_any());
         format!("{}\n=> {}", text.trim_end(), error.expect_err(text))
     })
     .collect();

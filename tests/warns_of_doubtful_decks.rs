@@ -207,3 +207,17 @@ fn decks_that_never_run() {
     }
     assert_snapshot!(said);
 }
+
+/// In units of tonnes and metres, say, small elements are lighter than what the method takes for
+/// massless.
+#[test]
+fn nodes_that_are_too_light_to_move() {
+    let said = one_finding_each(
+        Severity::Warning,
+        &[(
+            "a density in other units than the rest",
+            &[("D1PERO 1 2400", "D1PERO 1 2.4e-10"), ("DCSTEC 1e-5", "DCSTEC 1e-12")],
+        )],
+    );
+    assert_snapshot!(said);
+}

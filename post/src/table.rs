@@ -105,13 +105,16 @@ impl Table {
             .lines()
             .enumerate()
             .filter(|(_, line)| !line.trim().is_empty() && !line.starts_with('#'));
-        let (_, first) = lines.next().ok_or("the file is empty; expected a table")?;
-        let mut table = Self::new(split(first));
+        let (index, first) = lines.next().ok_or("the file is empty; expected a table")?;
+        let cells_of = |index: usize, line: &str| {
+            split(line).ok_or_else(|| format!("line {} ends within quotes", index + 1))
+        };
+        let mut table = Self::new(cells_of(index, first)?);
         if table.headings.iter().all(|heading| heading.trim().parse::<f64>().is_ok()) {
             return Err("line 1 holds numbers; expected the names of the columns".to_owned());
         }
         for (index, line) in lines {
-            let cells = split(line);
+            let cells = cells_of(index, line)?;
             if cells.len() != table.headings.len() {
                 return Err(format!(
                     "line {} has {} cells; expected {}",
@@ -133,10 +136,11 @@ impl Table {
     }
 }
 
-/// A cell of CSV: in quotes where it has commas, quotes or line ends.
+/// A cell of CSV: in quotes where it has commas, quotes or line ends, and where a reader would take it
+/// for none: an empty line is none of the table, and `#` begins a comment.
 #[must_use]
 pub fn quoted(cell: &str) -> String {
-    if cell.contains([',', '"', '\n', '\r']) {
+    if cell.contains([',', '"', '\n', '\r']) || cell.is_empty() || cell.starts_with('#') {
         format!("\"{}\"", cell.replace('"', "\"\""))
     } else {
         cell.to_owned()
@@ -154,8 +158,8 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// Cells of a line, quotes taken off.
-fn split(line: &str) -> Vec<String> {
+/// Cells of a line, quotes taken off; none if the line ends within quotes.
+fn split(line: &str) -> Option<Vec<String>> {
     let (mut cells, mut cell, mut quoted) = (Vec::new(), String::new(), false);
     let mut letters = line.chars().peekable();
     while let Some(letter) = letters.next() {
@@ -170,7 +174,7 @@ fn split(line: &str) -> Vec<String> {
         }
     }
     cells.push(cell.trim().to_owned());
-    cells
+    (!quoted).then_some(cells)
 }
 
 #[cfg(test)]
@@ -187,6 +191,11 @@ mod tests {
             "time (s),\"ux, \"\"left\"\" (m)\"\n0.1,-1.25e-9\n0.3333333333333333,0\n"
         );
         assert_eq!(Table::parse(&table.to_csv()), Ok(table));
+        for odd in ["", "# force", "\"", ",", "a \"b\""] {
+            let mut table = Table::new([odd]);
+            table.rows.push(vec![1.5]);
+            assert_eq!(Table::parse(&table.to_csv()), Ok(table), "{odd}");
+        }
     }
 
     #[test]
@@ -202,6 +211,7 @@ mod tests {
     fn bad_tables_are_refused_with_the_line() {
         assert_eq!(Table::parse("a,b\n1\n"), Err("line 2 has 1 cells; expected 2".into()));
         assert_eq!(Table::parse("a\nx\n"), Err("line 2 holds `x`; expected a number".into()));
+        assert_eq!(Table::parse("a\n\"1\n"), Err("line 2 ends within quotes".into()));
         assert!(Table::parse("1,2\n").is_err());
         assert!(Table::parse("").is_err());
     }

@@ -25,6 +25,17 @@ pub enum MeshingError {
     /// A scenario file with mistakes.
     #[error("{0}")]
     Scenario(String),
+    /// More elements than anybody can simulate.
+    #[error(
+        "the mesh would have {elements:.1e} elements, at most {most:.0e} are possible: choose fewer cells, \
+         courses or blocks"
+    )]
+    TooLarge {
+        /// How many there would be.
+        elements: f64,
+        /// How many there may be.
+        most: f64,
+    },
     /// A block that was turned inside out.
     #[error(
         "the block at ({x:.3}, {y:.3}) has the area {area:.3e} m²: choose other numbers of courses \

@@ -3,6 +3,7 @@
 use super::{
     MeshingError,
     pattern::{Pattern, Point, area, line, middle},
+    properties::check_elements,
 };
 use std::collections::BTreeMap;
 
@@ -59,12 +60,16 @@ impl Mesh {
 
     /// Adds a body of its own: a rectangle of `columns` by `rows` cells with two triangles each,
     /// whose diagonals alternate. It is one block.
+    ///
+    /// # Errors
+    /// If the mesh would become too large.
     pub(super) fn rectangle(
         &mut self,
         [from, to]: [Point; 2],
         [columns, rows]: [usize; 2],
         material: usize,
-    ) -> std::ops::Range<usize> {
+    ) -> Result<std::ops::Range<usize>, MeshingError> {
+        check_elements(self.triangles.len(), &[2, columns, rows])?;
         let first = self.nodes.len();
         let place = |a: f64, b: f64, k: usize, n: usize| {
             if k == n { b } else { a + (b - a) * k as f64 / n as f64 }
@@ -87,7 +92,7 @@ impl Mesh {
                 self.triangles.extend(halves.map(triangle));
             }
         }
-        first..self.nodes.len()
+        Ok(first..self.nodes.len())
     }
 }
 

@@ -163,5 +163,15 @@ pub(super) fn count(name: &str, value: usize, least: usize) -> Result<(), Meshin
     Err(MeshingError::parameter(name, value, &expected))
 }
 
+/// Checks the size of a mesh before it is made: elements that are there, and a product of numbers that
+/// are to come.
+pub(super) fn check_elements(present: usize, more: &[usize]) -> Result<(), MeshingError> {
+    let elements = present as f64 + more.iter().map(|&n| n as f64).product::<f64>();
+    let most = MOST_ELEMENTS;
+    if elements <= most { Ok(()) } else { Err(MeshingError::TooLarge { elements, most }) }
+}
+
+/// Most elements of a mesh: as many take tens of gigabytes.
+const MOST_ELEMENTS: f64 = 2e7;
 /// Most courses, blocks in a row, voussoirs.
 const MOST: usize = 2000;

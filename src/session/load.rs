@@ -1,4 +1,5 @@
 use crate::{
+    TOLERANCE,
     insertion::{self, CapacityError, InsertionReport, Room},
     output::OutputNames,
     scene::{Profile, Scene, from_deck, spatial_from_deck},
@@ -8,7 +9,7 @@ use std::{io, path::Path, path::PathBuf};
 use thiserror::Error;
 use yformat::{
     database::Database,
-    deck::{Deck, Stage},
+    deck::{Deck, ParseOutcome, Stage},
     diagnostic::Diagnostic,
     dialect::Dialect,
     source::SourceMap,
@@ -64,6 +65,20 @@ pub fn load(
         .dialect(dialect)
         .read(path)
         .map_err(|source| DeckFault::Io { path: path.to_path_buf(), source })?;
+    prepare(outcome, path, profile, options)
+}
+
+/// Prepares the first stage of a deck that has been read, as [`load`] does. `path` is what the deck
+/// is called; nothing is read there.
+///
+/// # Errors
+/// With everything that is wrong with the deck.
+pub fn prepare(
+    outcome: ParseOutcome,
+    path: &Path,
+    profile: Profile,
+    options: SolverOptions,
+) -> Result<LoadedDeck, DeckFault> {
     let (deck, mut findings) = (outcome.deck, outcome.diagnostics);
     let sources = deck.sources();
     let stages: Vec<Stage> = deck.stages().into_iter().filter(|stage| stage.runs).collect();
@@ -117,6 +132,7 @@ pub fn load(
     if report.is_some_and(|report| report.skipped_combination) {
         findings.push(skipped_record(&deck, &database, &simulation));
     }
+    findings.extend(light_nodes(&deck, &database, &simulation));
     let findings = findings.into_iter().map(|f| f.located(sources)).collect();
     Ok(LoadedDeck { simulation: Some(simulation), database, stages, findings, deck })
 }
@@ -159,6 +175,31 @@ fn skipped_record(deck: &Deck, database: &Database, simulation: &AnySimulation) 
         }
         AnySimulation::Spatial(_) => "tetrahedra (21) as the last material of each record",
     })
+}
+
+/// The finding that nodes are too light to move: masses below an absolute tolerance count as none.
+fn light_nodes(deck: &Deck, database: &Database, simulation: &AnySimulation) -> Option<Diagnostic> {
+    let masses = match simulation {
+        AnySimulation::Plane(simulation) => simulation.masses(),
+        AnySimulation::Spatial(simulation) => simulation.masses(),
+    };
+    let is_light = |mass: f64| 0.0 < mass && mass <= TOLERANCE;
+    let light = masses.iter().filter(|&&mass| is_light(mass)).count();
+    let node = masses.iter().position(|&mass| is_light(mass))?;
+    let more = if light > 1 { format!(" (and {} more)", light - 1) } else { String::new() };
+    let density = match deck.dialect() {
+        Dialect::Split | Dialect::YGeo => "YDPE/D1PERO",
+        Dialect::Classic | Dialect::Y3d => "YDP/D1PERO",
+    };
+    Some(
+        Diagnostic::warning(
+            "scene::light-node",
+            format!("node {node} has a mass of {:.3e}{more}: it never moves", masses[node]),
+        )
+        .at(database.given(density).and_then(|item| deck.word_span(item)))
+        .expected(format!("masses above {TOLERANCE:e}, in whatever units the deck has"))
+        .help("as in the original, lighter nodes count as without mass: write the deck with a smaller unit of mass or of length"),
+    )
 }
 
 /// What the deck does not give has no place: it is missed at the stage's `$YDOIT`.

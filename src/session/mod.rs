@@ -16,7 +16,7 @@ mod writers;
 
 pub use checkpoint::{Checkpoint, CheckpointError, Checkpoints, RunSettings};
 pub use guard::OnInstability;
-pub use load::{DeckFault, LoadedDeck, load};
+pub use load::{DeckFault, LoadedDeck, load, prepare};
 pub use model::SceneSize;
 pub use observer::{Observer, Progress, Silent};
 pub use run::{RunError, RunOptions, Watch, run, run_with};

@@ -1,7 +1,7 @@
 //! Whether a state fits a scene: states come from files, and a step trusts them.
 
 use super::state::{SimulationState, StateFault};
-use crate::scene::{CohesiveModel, ContactSum, JointKind, Scene};
+use crate::scene::{CohesiveModel, ContactSum, Elements, JointKind, Scene};
 
 /// Larger numbers of property sets than any deck has.
 const MOST_SETS: u32 = 1_000_000_000;
@@ -34,6 +34,20 @@ pub(super) fn check(state: &SimulationState, scene: &Scene) -> Result<(), StateF
 /// A fault unless the condition holds.
 pub(super) fn require(condition: bool, fault: &'static str) -> Result<(), StateFault> {
     if condition { Ok(()) } else { Err(StateFault(fault)) }
+}
+
+/// A fault unless elements that are joints have property sets of joints, or none, and all others have
+/// those of bodies: some of a step goes by the one, some by the other.
+pub(super) fn check_kinds(elements: &Elements, materials: usize) -> Result<(), StateFault> {
+    let bodies = 0..i32::try_from(materials).unwrap_or(i32::MAX);
+    let mut kinds = elements.property.iter().zip(&elements.joint_kind);
+    require(
+        kinds.all(|(property, kind)| match kind {
+            JointKind::NoJoint => *property < bodies.end,
+            _ => !bodies.contains(property),
+        }),
+        "an element is a joint by its kind and none by its property set, or the other way round",
+    )
 }
 
 fn check_nodes(state: &SimulationState) -> Result<(), StateFault> {
@@ -87,6 +101,7 @@ fn check_elements(state: &SimulationState, scene: &Scene) -> Result<(), StateFau
         elements.property.iter().all(|p| p.unsigned_abs() < MOST_SETS),
         "an element has a property set that is not there",
     )?;
+    check_kinds(elements, scene.materials.len())?;
     let is_element = |&e: &i32| e == -1 || usize::try_from(e).is_ok_and(|e| e < len);
     require(elements.sides.as_flattened().iter().all(is_element), "a joint has no sides")
 }

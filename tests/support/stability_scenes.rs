@@ -11,9 +11,10 @@ use ypsilon::{
     stability::Limits,
 };
 
-/// Young's modulus and density of all scenes: an elastic wave takes about a second for a metre.
-const YOUNG: f64 = 1e4;
-const DENSITY: f64 = 1e4;
+/// Young's modulus and density unless a scene says otherwise: an elastic wave takes about a second
+/// for a metre.
+pub const YOUNG: f64 = 1e4;
+pub const DENSITY: f64 = 1e4;
 const POISSON: f64 = 0.2;
 
 /// Triangles or tetrahedra of one property set.
@@ -21,13 +22,26 @@ const POISSON: f64 = 0.2;
 pub struct Body {
     pub dimension: usize,
     pub coordinates: Vec<f64>,
+    /// Velocities at the start; none if all nodes are at rest.
+    pub velocities: Vec<f64>,
     /// Node set of each node: 0 free, 1 fixed, 2 loaded.
     pub sets: Vec<i64>,
     pub elements: Vec<i64>,
+    pub young: f64,
+    pub poisson: f64,
+    pub density: f64,
     pub viscosity: f64,
     pub penalty: f64,
+    /// Tangential penalty; a tenth of the penalty if not given.
+    pub tangential: Option<f64>,
+    /// Contact buffer, m.
+    pub buffer: f64,
+    /// The law of contact of tetrahedra.
+    pub spatial_contact: SpatialContact,
     /// Penalty and strength of joints between all elements, if there are any.
     pub joints: Option<[f64; 2]>,
+    /// Fracture energy of the joints; as much as their strength if not given.
+    pub fracture_energy: Option<f64>,
     /// Coulomb coefficient.
     pub friction: f64,
     /// Along the last axis, m/s².
@@ -37,15 +51,24 @@ pub struct Body {
 }
 
 impl Body {
-    fn new(dimension: usize) -> Self {
+    /// No elements yet.
+    pub fn new(dimension: usize) -> Self {
         Self {
             dimension,
             coordinates: Vec::new(),
+            velocities: Vec::new(),
             sets: Vec::new(),
             elements: Vec::new(),
+            young: YOUNG,
+            poisson: POISSON,
+            density: DENSITY,
             viscosity: 0.0,
             penalty: 0.0,
+            tangential: None,
+            buffer: 0.02,
+            spatial_contact: SpatialContact::default(),
             joints: None,
+            fracture_energy: None,
             friction: 0.0,
             gravity: 0.0,
             load: 0.0,
@@ -154,8 +177,9 @@ impl Body {
         let d = self.dimension;
         let corners = d + 1;
         let (nodes, elements) = (self.sets.len() as i64, (self.elements.len() / corners) as i64);
-        let mu = YOUNG / (2.0 * (1.0 + POISSON));
-        let lambda = YOUNG * POISSON / ((1.0 + POISSON) * (1.0 - 2.0 * POISSON));
+        let (young, nu) = (self.young, self.poisson);
+        let mu = young / (2.0 * (1.0 + nu));
+        let lambda = young * nu / ((1.0 + nu) * (1.0 - 2.0 * nu));
         let zeros = vec![0.0; 3];
         let room = if self.joints.is_some() { 8 * elements } else { 0 };
         let axis = |k: usize| if k == d - 1 { vec![0.0, 0.0, self.load] } else { zeros.clone() };
@@ -190,12 +214,15 @@ impl Body {
             .integer("YDE/NELNO", corners as i64)
             .integers("YDE/I1ELPR", vec![0; elements as usize])
             .integers2("YDE/I2ELTO", corners, self.elements.clone());
+        if !self.velocities.is_empty() {
+            deck = deck.reals2("YDN/D2NVC", d, self.velocities.clone());
+        }
         if self.penalty > 0.0 {
             deck = deck
                 .integer("YDI/MICOUP", 100_000)
-                .real("YDI/DIEZON", 0.02)
+                .real("YDI/DIEZON", self.buffer)
                 .integer("YDI/IIECFF", -2)
-                .real("YDI/DIEDI", 200.0)
+                .real("YDI/DIEDI", 1e4 * self.buffer)
                 .integer("YDI/MISTATE", 6);
         }
         deck = deck
@@ -204,9 +231,9 @@ impl Body {
             .reals("YDPE/D1PEKS", vec![self.viscosity])
             .reals("YDPE/D1PELA", vec![lambda])
             .reals("YDPE/D1PEMU", vec![mu])
-            .reals("YDPE/D1PERO", vec![DENSITY])
+            .reals("YDPE/D1PERO", vec![self.density])
             .reals("YDPE/D1PEPE", vec![self.penalty])
-            .reals("YDPE/D1PEPT", vec![0.1 * self.penalty])
+            .reals("YDPE/D1PEPT", vec![self.tangential.unwrap_or(0.1 * self.penalty)])
             .reals("YDPE/D1PEFR", vec![self.friction])
             .reals("YDPE/D1PSEM", vec![0.0])
             .integers("YDPE/I1PTYP", vec![if d == 2 { 1 } else { 21 }]);
@@ -216,7 +243,7 @@ impl Body {
                 .integer("YDPJ/NPJSET", 1)
                 .reals("YDPJ/D1PJFT", vec![strength])
                 .reals("YDPJ/D1PJFS", vec![strength])
-                .reals("YDPJ/D1PJGF", vec![strength])
+                .reals("YDPJ/D1PJGF", vec![self.fracture_energy.unwrap_or(strength)])
                 .reals("YDPJ/D1PJCO", vec![0.0])
                 .reals("YDPJ/D1PJFR", vec![0.0])
                 .reals("YDPJ/D1PJPE", vec![penalty])
@@ -246,7 +273,7 @@ impl Body {
             simulation.prepare().expect("room");
             Moving::Plane(Box::new(simulation))
         } else {
-            let contact = SpatialContact::default();
+            let contact = self.spatial_contact;
             let built = spatial_from_deck(&deck, &database, "test", profile, contact);
             let scene = built.scene.unwrap_or_else(|| panic!("{:?}", built.findings));
             let mut simulation = SpatialSimulation::new(scene);

@@ -6,7 +6,7 @@ use crate::meshing::{
     mesh::Mesh,
     model::{Model, Motion, Support},
     pattern::Point,
-    properties::{Material, count, positive},
+    properties::{Material, check_elements, count, positive},
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -67,6 +67,7 @@ impl Arch {
         positive("arch: 270° less opening_deg", 270.0 - self.opening_deg)?;
         count("arch.voussoirs", self.voussoirs, 2)?;
         self.cells.iter().try_for_each(|&n| count("arch.cells", n, 1))?;
+        check_elements(0, &[2, self.voussoirs, self.cells[0], self.cells[1]])?;
         self.stone.check("arch.stone")?;
         let half = self.opening_deg.to_radians() / 2.0;
         let radii = [-1.0, 1.0].map(|s| self.radius_m + s * self.thickness_m / 2.0);
@@ -80,7 +81,7 @@ impl Arch {
             // along the tangent at the springing, away from the arch
             let along = if side < 0.0 { [-depth, 0.0] } else { [0.0, depth] };
             let [[x0, y0], [x1, y1]] = [[along[0], wide[0]], [along[1], wide[1]]];
-            let nodes = mesh.rectangle([[x0, y0], [x1, y1]], cells, 0);
+            let nodes = mesh.rectangle([[x0, y0], [x1, y1]], cells, 0)?;
             for node in nodes.clone() {
                 let [s, r] = mesh.nodes[node];
                 let [sin, cos] = [(side * half).sin(), (side * half).cos()];
@@ -93,7 +94,7 @@ impl Arch {
         for k in 0..self.voussoirs {
             // twice the number of the joint, from the crown, so that both halves are mirrored
             let [from, to] = [k, k + 1].map(|k| 2.0 * k as f64 - n);
-            let nodes = mesh.rectangle([[from, radii[0]], [to, radii[1]]], self.cells, 0);
+            let nodes = mesh.rectangle([[from, radii[0]], [to, radii[1]]], self.cells, 0)?;
             for node in nodes {
                 let [twice, r] = mesh.nodes[node];
                 mesh.nodes[node] = polar(r, half * (twice / n));

@@ -74,8 +74,8 @@ impl BlockOnPlane {
         count("block-on-plane: cells of the plane", cells as usize, 1)?;
         let mut mesh = Mesh::default();
         let plane = [[left, -self.edge_m / 2.0], [right, 0.0]];
-        let held = mesh.rectangle(plane, [cells as usize, 1], 0);
-        let block = mesh.rectangle([[0.0; 2], [self.edge_m; 2]], [self.cells, self.cells], 0);
+        let held = mesh.rectangle(plane, [cells as usize, 1], 0)?;
+        let block = mesh.rectangle([[0.0; 2], [self.edge_m; 2]], [self.cells, self.cells], 0)?;
         for [x, y] in &mut mesh.nodes {
             [*x, *y] = [*x * cos + *y * sin, *y * cos - *x * sin];
         }

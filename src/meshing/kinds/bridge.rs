@@ -5,7 +5,7 @@ use crate::meshing::{
     mesh::{Division, divide_mirrored, flip_right_half},
     model::{Bond, Joints, Model, Motion, Substance, Support},
     pattern::{Pattern, Point, area, line},
-    properties::{Joint, Material, count, not_negative, positive},
+    properties::{Joint, Material, check_elements, count, not_negative, positive},
     tidy::tidy,
 };
 use schemars::JsonSchema;
@@ -241,6 +241,7 @@ impl Shape {
         }
         let blocks = (bridge.span_m / bridge.block_length_m).round().max(1.0);
         count(&name("span_m / block_length_m"), blocks as usize, 2)?;
+        check_elements(0, &[4, bridge.courses, blocks as usize])?;
         let block_length = bridge.span_m / blocks;
         let arc = std::f64::consts::PI * (radius + outer) / 2.0;
         let near_odd = 2 * (arc / block_length / 2.0).floor() as usize + 1;

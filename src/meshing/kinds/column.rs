@@ -5,7 +5,7 @@ use crate::meshing::{
     MeshingError,
     mesh::Mesh,
     model::{Model, Motion, Support},
-    properties::{Material, count, positive},
+    properties::{Material, check_elements, count, positive},
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -53,6 +53,7 @@ impl Column {
         positive("column.width_m", self.width_m)?;
         positive("column.height_m", self.height_m)?;
         self.cells.iter().try_for_each(|&n| count("column.cells", n, 1))?;
+        check_elements(0, &[2, self.blocks, self.cells[0], self.cells[1]])?;
         self.stone.check("column.stone")?;
         let mut mesh = Mesh::default();
         let half = self.width_m / 2.0;
@@ -60,7 +61,7 @@ impl Column {
         let mut held = Vec::new();
         for k in 0..self.blocks {
             let [y0, y1] = [k, k + 1].map(|k| k as f64 * self.height_m);
-            last = mesh.rectangle([[-half, y0], [half, y1]], self.cells, 0);
+            last = mesh.rectangle([[-half, y0], [half, y1]], self.cells, 0)?;
             if k == 0 {
                 held = last.clone().collect();
             }

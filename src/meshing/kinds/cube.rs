@@ -86,7 +86,7 @@ impl Cube {
         self.material.check("cube.material")?;
         let [[a, b], [c, d]] = self.gradient;
         positive("cube: determinant of the gradient", a * d - b * c)?;
-        let mesh = self.mesh();
+        let mesh = self.mesh()?;
         let mut model = bodies("cube".to_owned(), mesh, vec![("cube", self.material)]);
         if self.held == Held::Faces {
             self.drive(&mut model);
@@ -105,19 +105,19 @@ impl Cube {
         Ok(model)
     }
 
-    fn mesh(&self) -> Mesh {
+    fn mesh(&self) -> Result<Mesh, MeshingError> {
         let (half, edge) = (self.edge_m / 2.0, self.edge_m);
         let mut mesh = Mesh::default();
         if self.cells > 0 {
-            mesh.rectangle([[-half, 0.0], [half, edge]], [self.cells; 2], 0);
-            return mesh;
+            mesh.rectangle([[-half, 0.0], [half, edge]], [self.cells; 2], 0)?;
+            return Ok(mesh);
         }
         mesh.nodes = vec![[-half, 0.0], [half, 0.0], [half, edge], [-half, edge], [0.0, half]];
         mesh.triangles = (0..4)
             .map(|k| Triangle { nodes: [k, (k + 1) % 4, 4], block: 0, material: 0 })
             .collect();
         mesh.blocks = 1;
-        mesh
+        Ok(mesh)
     }
 
     /// Where the gradient puts a point.

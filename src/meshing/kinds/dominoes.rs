@@ -5,7 +5,7 @@ use crate::meshing::{
     MeshingError,
     mesh::Mesh,
     model::{Model, Motion, Support},
-    properties::{Material, count, positive},
+    properties::{Material, check_elements, count, positive},
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -72,6 +72,7 @@ impl Dominoes {
         positive("dominoes.push_rad_s", self.push_rad_s)?;
         positive("dominoes: height less gap (m)", self.height_m - self.gap_m)?;
         self.cells.iter().try_for_each(|&n| count("dominoes.cells", n, 1))?;
+        check_elements(0, &[2, self.number, self.cells[0], self.cells[1]])?;
         self.material.check("dominoes.material")?;
         let pitch = self.thickness_m + self.gap_m;
         let mut mesh = Mesh::default();
@@ -79,13 +80,13 @@ impl Dominoes {
             [-2.0 * pitch, (self.number - 1) as f64 * pitch + self.height_m + 2.0 * pitch];
         let cells = ((right - left) / pitch).ceil();
         count("dominoes: cells of the floor", cells as usize, 1)?;
-        let floor = mesh.rectangle([[left, -pitch], [right, 0.0]], [cells as usize, 1], 0);
+        let floor = mesh.rectangle([[left, -pitch], [right, 0.0]], [cells as usize, 1], 0)?;
         let mut hinges = Vec::new();
         let mut first = 0..0;
         for k in 0..self.number {
             let x = k as f64 * pitch;
             let corners = [[x - self.thickness_m, 0.0], [x, self.height_m]];
-            let nodes = mesh.rectangle(corners, self.cells, 0);
+            let nodes = mesh.rectangle(corners, self.cells, 0)?;
             hinges.push(nodes.start + self.cells[0]);
             if k == 0 {
                 first = nodes;

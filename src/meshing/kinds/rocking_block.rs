@@ -83,8 +83,8 @@ impl RockingBlock {
         let (w, h) = (self.width_m, self.height_m);
         let mut mesh = Mesh::default();
         let cells = [6 * self.cells[0], self.cells[0]];
-        let plane = mesh.rectangle([[-1.5 * w, -w / 2.0], [1.5 * w + w, 0.0]], cells, 0);
-        let block = mesh.rectangle([[0.0; 2], [w, h]], self.cells, 0);
+        let plane = mesh.rectangle([[-1.5 * w, -w / 2.0], [1.5 * w + w, 0.0]], cells, 0)?;
+        let block = mesh.rectangle([[0.0; 2], [w, h]], self.cells, 0)?;
         let (sin, cos) = (self.tilt * self.slenderness()).sin_cos();
         for node in block {
             let [x, y] = mesh.nodes[node];

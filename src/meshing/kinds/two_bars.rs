@@ -86,10 +86,10 @@ impl TwoBars {
         lengths.iter().try_for_each(|&n| count("two-bars: cells of a bar", n, 1))?;
         let mut mesh = Mesh::default();
         let (end, height) = (self.length_m, self.height_m);
-        let left = mesh.rectangle([[0.0; 2], [end, height]], [lengths[0], self.cells], 0);
+        let left = mesh.rectangle([[0.0; 2], [end, height]], [lengths[0], self.cells], 0)?;
         let start = end + self.gap_m;
         let stop = start + self.right_length_m;
-        let right = mesh.rectangle([[start, 0.0], [stop, height]], [lengths[1], self.cells], 0);
+        let right = mesh.rectangle([[start, 0.0], [stop, height]], [lengths[1], self.cells], 0)?;
         let mut model =
             bodies("two bars with a gap".to_owned(), mesh, vec![("bars", self.material)]);
         let at = |nodes: std::ops::Range<usize>, x: f64, model: &Model| -> Vec<usize> {

@@ -70,8 +70,8 @@ impl TwoBlocks {
         let (near, far) = (self.gap_m / 2.0, self.gap_m / 2.0 + self.edge_m);
         let cells = [self.cells, self.cells];
         let mut mesh = Mesh::default();
-        let moving = mesh.rectangle([[-far, 0.0], [-near, self.edge_m]], cells, 0);
-        mesh.rectangle([[near, 0.0], [far, self.edge_m]], cells, 1);
+        let moving = mesh.rectangle([[-far, 0.0], [-near, self.edge_m]], cells, 0)?;
+        mesh.rectangle([[near, 0.0], [far, self.edge_m]], cells, 1)?;
         let materials = vec![("left block", self.material), ("right block", right)];
         let mut model = bodies("two blocks in line".to_owned(), mesh, materials);
         model.velocities = moving.map(|node| (node, [self.velocity_m_s, 0.0])).collect();

@@ -5,7 +5,7 @@ use crate::meshing::{
     mesh::{Division, divide},
     model::{Bond, Drive, Joints, Model, Motion, Substance, Support},
     pattern::Pattern,
-    properties::{Joint, Material, count, not_negative, positive},
+    properties::{Joint, Material, check_elements, count, not_negative, positive},
 };
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
@@ -199,6 +199,7 @@ impl Wall {
     fn check(&self) -> Result<(), MeshingError> {
         count("wall.courses", self.courses, 1)?;
         count("wall.half_bricks_per_course", self.half_bricks_per_course, 2)?;
+        check_elements(0, &[4, self.courses, self.half_bricks_per_course])?;
         for (name, value) in [
             ("wall.brick_length_m", self.brick_length_m),
             ("wall.brick_height_m", self.brick_height_m),

@@ -1,7 +1,7 @@
 //! Tetrahedra made from boxes, from one cube around its centre, and from triangles that are drawn
 //! out across the depth.
 
-use crate::meshing::mesh::Mesh;
+use crate::meshing::{MeshingError, mesh::Mesh, properties::check_elements};
 use std::{collections::BTreeMap, ops::Range};
 
 /// A place in space: along, across, up \[m\].
@@ -125,12 +125,17 @@ impl SpatialMesh {
 
     /// Adds a body of its own: a box of cells with six tetrahedra each. Neighbouring cells cut
     /// the face between them by the same diagonal. Returns its nodes.
+    ///
+    /// # Errors
+    /// If the mesh would become too large.
     pub fn add_box(
         &mut self,
         [low, high]: [Place; 2],
         cells: [usize; 3],
         material: usize,
-    ) -> Range<usize> {
+    ) -> Result<Range<usize>, MeshingError> {
+        let [nx, ny, nz] = cells;
+        check_elements(self.tetrahedra.len(), &[6, nx, ny, nz])?;
         let first = self.nodes.len();
         let side = cells.map(|n| n + 1);
         let at = |k: usize, i: usize| {
@@ -156,7 +161,7 @@ impl SpatialMesh {
             }
         }
         self.blocks += 1;
-        first..self.nodes.len()
+        Ok(first..self.nodes.len())
     }
 
     /// Adds the tetrahedra of a cell whose eight corners are there.
@@ -190,13 +195,16 @@ impl SpatialMesh {
     /// Draws out a mesh of triangles in the plane along and up across `depth`, in layers of three
     /// tetrahedra for each triangle. Node `n` of the plane is node `layer · nodes + n`. `block`
     /// says which block a triangle belongs to in a layer.
-    #[must_use]
+    ///
+    /// # Errors
+    /// If the mesh would be too large.
     pub fn drawn_out(
         plane: &Mesh,
         depth: f64,
         layers: usize,
         block: impl Fn(&crate::meshing::Triangle, usize) -> usize,
-    ) -> Self {
+    ) -> Result<Self, MeshingError> {
+        check_elements(0, &[3, plane.triangles.len(), layers])?;
         let count = plane.nodes.len();
         let mut mesh = SpatialMesh::default();
         for layer in 0..=layers {
@@ -222,7 +230,7 @@ impl SpatialMesh {
             }
         }
         mesh.blocks = mesh.tetrahedra.iter().map(|t| t.block + 1).max().unwrap_or(0);
-        mesh
+        Ok(mesh)
     }
 }
 
@@ -253,7 +261,7 @@ mod tests {
             let high = [a - 1.0, b, c + 0.5];
             let (volume, surface) = (a * b * c, 2.0 * (a * b + b * c + c * a));
             let mut mesh = SpatialMesh::default();
-            mesh.add_box([[-1.0, 0.0, 0.5], high], cells, 0);
+            mesh.add_box([[-1.0, 0.0, 0.5], high], cells, 0).expect("a small box");
             fills(&mesh, volume, surface);
             prop_assert_eq!(mesh.tetrahedra.len(), 6 * cells.iter().product::<usize>());
             let mut mesh = SpatialMesh::default();
@@ -266,8 +274,8 @@ mod tests {
     #[test]
     fn drawn_out_triangles_fill_their_prism() {
         let mut plane = Mesh::default();
-        plane.rectangle([[0.0, 0.0], [3.0, 2.0]], [3, 2], 0);
-        let mesh = SpatialMesh::drawn_out(&plane, 1.5, 2, |t, _| t.block);
+        plane.rectangle([[0.0, 0.0], [3.0, 2.0]], [3, 2], 0).expect("a small mesh");
+        let mesh = SpatialMesh::drawn_out(&plane, 1.5, 2, |t, _| t.block).expect("a small mesh");
         assert_eq!(mesh.tetrahedra.len(), 3 * 2 * plane.triangles.len());
         fills(&mesh, 9.0, 2.0 * (6.0 + 4.5 + 3.0));
     }

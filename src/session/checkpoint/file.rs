@@ -44,7 +44,15 @@ impl Checkpoint {
     pub fn read(path: &Path) -> Result<Self, CheckpointError> {
         let io = |source| CheckpointError::Io { path: path.to_path_buf(), source };
         let bytes = fs::read(path).map_err(io)?;
-        parse(&bytes, path)
+        Self::parse(&bytes, path)
+    }
+
+    /// The checkpoint that these bytes are. `path` appears in messages.
+    ///
+    /// # Errors
+    /// As [`Self::read`], but for files that cannot be read.
+    pub fn parse(bytes: &[u8], path: &Path) -> Result<Self, CheckpointError> {
+        parse(bytes, path)
     }
 }
 

@@ -8,7 +8,7 @@ use crate::{
     scene::{Elements, JointKind, Nodes, Scene},
     simulation::{
         StateFault,
-        state_check::{LAST_STEP, require},
+        state_check::{LAST_STEP, check_kinds, require},
     },
 };
 use serde::{Deserialize, Serialize};
@@ -102,6 +102,7 @@ impl SpatialState {
             elements.property.iter().all(|&p| p < sets),
             "an element has a property set that is not there",
         )?;
+        check_kinds(elements, scene.materials.len())?;
         let is_failure = |f: &FaceFailure| f.element < len && f.law < scene.cohesive_laws.len();
         require(self.failures.iter().all(is_failure), "a joint has failed that is not there")?;
         require(

@@ -67,9 +67,9 @@ impl BlockOnPlane3d {
         let cells = ((right - left) / edge).ceil().max(1.0) as usize;
         let mut mesh = SpatialMesh::default();
         let plane = [[left, -edge, -edge], [right, edge, 0.0]];
-        let held = mesh.add_box(plane, [cells, 2, 1], 0);
+        let held = mesh.add_box(plane, [cells, 2, 1], 0)?;
         let block = [[0.0, -edge / 2.0, 0.0], [edge, edge / 2.0, edge]];
-        let moving = add_body(&mut mesh, block, self.cells, 0);
+        let moving = add_body(&mut mesh, block, self.cells, 0)?;
         let volume = (right - left) * 2.0 * edge * edge + edge.powi(3);
         let materials = vec![("block", self.material)];
         let mut model = SpatialModel::of_bodies("block on a plane", mesh, volume, materials);

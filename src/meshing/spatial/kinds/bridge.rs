@@ -51,7 +51,7 @@ impl Bridge3d {
         let block = |triangle: &crate::meshing::Triangle, layer: usize| {
             triangle.block * rows + (layer + colours[triangle.block] % 2) / 2
         };
-        let mut mesh = SpatialMesh::drawn_out(&section.mesh, self.depth_m, self.layers, block);
+        let mut mesh = SpatialMesh::drawn_out(&section.mesh, self.depth_m, self.layers, block)?;
         number_blocks(&mut mesh);
         let nodes = section.mesh.nodes.len();
         let mut model = SpatialModel {

@@ -83,7 +83,7 @@ impl Cube3d {
         let [x, y, z] = self.size_m;
         let mut mesh = SpatialMesh::default();
         let ends = [[-x / 2.0, -y / 2.0, 0.0], [x / 2.0, y / 2.0, z]];
-        add_body(&mut mesh, ends, self.cells, 0);
+        add_body(&mut mesh, ends, self.cells, 0)?;
         let materials = vec![("box", self.material)];
         let mut model = SpatialModel::of_bodies("box", mesh, x * y * z, materials);
         if self.held == Held::Faces {

@@ -27,9 +27,9 @@ fn add_body(
     ends: [Place; 2],
     cells: [usize; 3],
     material: usize,
-) -> Range<usize> {
+) -> Result<Range<usize>, MeshingError> {
     match cells {
-        [0, 0, 0] => mesh.add_centred_box(ends, material),
+        [0, 0, 0] => Ok(mesh.add_centred_box(ends, material)),
         _ => mesh.add_box(ends, cells, material),
     }
 }

@@ -80,11 +80,11 @@ impl TwoBars3d {
         let along = |length: f64| (length / cell).round().max(1.0) as usize;
         let mut mesh = SpatialMesh::default();
         let cells = |n: usize| [n, self.cells, self.cells];
-        let left = mesh.add_box([[0.0; 3], [length, height, height]], cells(along(length)), 0);
+        let left = mesh.add_box([[0.0; 3], [length, height, height]], cells(along(length)), 0)?;
         let start = length + self.gap_m;
         let stop = start + self.right_length_m;
         let ends = [[start, 0.0, 0.0], [stop, height, height]];
-        let right = mesh.add_box(ends, cells(along(self.right_length_m)), 0);
+        let right = mesh.add_box(ends, cells(along(self.right_length_m)), 0)?;
         let volume = (length + self.right_length_m) * height * height;
         let materials = vec![("bars", self.material)];
         let mut model = SpatialModel::of_bodies("two bars with a gap", mesh, volume, materials);

@@ -80,11 +80,11 @@ impl TwoCubes3d {
         let right_ends = [[near, dy - half, dz], [far, dy + half, dz + edge]];
         let mut mesh = SpatialMesh::default();
         let moving = if self.right_first {
-            add_body(&mut mesh, right_ends, self.cells, 1);
-            add_body(&mut mesh, left_ends, self.cells, 0)
+            add_body(&mut mesh, right_ends, self.cells, 1)?;
+            add_body(&mut mesh, left_ends, self.cells, 0)?
         } else {
-            let moving = add_body(&mut mesh, left_ends, self.cells, 0);
-            add_body(&mut mesh, right_ends, self.cells, 1);
+            let moving = add_body(&mut mesh, left_ends, self.cells, 0)?;
+            add_body(&mut mesh, right_ends, self.cells, 1)?;
             moving
         };
         let materials = vec![("left cube", self.material), ("right cube", right)];

@@ -4,7 +4,7 @@ use super::check_size;
 use crate::meshing::{
     MeshingError,
     model::{Bond, Drive, Joints, Motion, Substance},
-    properties::{Joint, Material, count, not_negative, positive},
+    properties::{Joint, Material, check_elements, count, not_negative, positive},
     spatial::{mesh::SpatialMesh, model::SpatialModel},
 };
 use schemars::JsonSchema;
@@ -116,6 +116,8 @@ impl Wall3d {
     /// If a parameter has no sense.
     pub fn model(&self) -> Result<SpatialModel, MeshingError> {
         self.check()?;
+        let [nx, ny, nz] = self.cells;
+        check_elements(0, &[6, self.bricks, self.leaves, self.courses, nx, ny, nz])?;
         let bricks = self.layout();
         let mut mesh = SpatialMesh::default();
         if self.bonded {
@@ -126,7 +128,7 @@ impl Wall3d {
                     let course = brick.course + end;
                     self.place([brick.along[end], brick.across[end], course], [QUARTERS, 1, 1])
                 });
-                mesh.add_box([low, high], self.cells_of(brick), 0);
+                mesh.add_box([low, high], self.cells_of(brick), 0)?;
             }
         }
         let [length, width, height] = self.brick_m;

@@ -17,7 +17,13 @@ pub(super) static YDPE: &[Keyword] = &of(
         reals("D1PELA", ELEMENT_SETS, "Pa", "Lamé constant λ").required(),
         reals("D1PEMU", ELEMENT_SETS, "Pa", "Lamé constant μ").required(),
         reals("D1PEPE", ELEMENT_SETS, "Pa", "normal contact penalty").required(),
-        reals("D1PEPT", ELEMENT_SETS, "Pa", "tangential contact penalty, needed for contact in 2D"),
+        // in the plane by the square of an edge, in space (an option) by the root of an area
+        reals(
+            "D1PEPT",
+            ELEMENT_SETS,
+            "Pa/m², in 3D Pa",
+            "tangential contact penalty, needed for contact in 2D",
+        ),
         reals("D1PEFR", ELEMENT_SETS, "-", "Coulomb friction coefficient, 2D")
             .created_by("MPROP", 0.0),
         reals("D1PERA", ELEMENT_SETS, "m", "unused: radius of a sphere").no_effect(),
