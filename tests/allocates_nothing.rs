@@ -5,9 +5,14 @@ mod support;
 use std::{
     alloc::{GlobalAlloc, Layout, System},
     cell::Cell,
+    path::Path,
 };
 use support::scenes::{reference_scene, step};
-use ypsilon::simulation::Simulation;
+use ypsilon::{
+    scene::Profile,
+    session::load,
+    simulation::{AnySimulation, Simulation, SolverOptions},
+};
 
 /// Counts what it passes on to the system.
 struct Counting;
@@ -53,6 +58,32 @@ fn allocations_between(case: &str, warm: u64, end: u64) -> u64 {
     let before = ALLOCATIONS.get();
     (warm..end).for_each(|_| step(&mut simulation));
     ALLOCATIONS.get() - before
+}
+
+fn allocations_in_space(case: &str, warm: u64, end: u64) -> u64 {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let deck = root.join(format!("tests/data/split3d/{case}/{case}.y"));
+    let loaded = load(&deck, None, Profile::default(), SolverOptions::default());
+    let simulation = loaded.expect("a sound deck").simulation.and_then(AnySimulation::into_spatial);
+    let mut simulation = simulation.expect("a deck in space");
+    let mut step = || {
+        simulation.evaluate_forces();
+        simulation.advance();
+    };
+    (0..warm).for_each(|_| step());
+    let before = ALLOCATIONS.get();
+    (warm..end).for_each(|_| step());
+    ALLOCATIONS.get() - before
+}
+
+#[test]
+fn warm_steps_in_space_allocate_nothing() {
+    // after the lists have seen most contacts
+    assert_eq!(allocations_in_space("t3d_impact", 2500, 3000), 0);
+    // blocks that slide
+    assert_eq!(allocations_in_space("t3d_friction", 1000, 2000), 0);
+    // joints that soften and break
+    assert_eq!(allocations_in_space("t3d_joint_tension", 2500, 3000), 0);
 }
 
 #[test]
