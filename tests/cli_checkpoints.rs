@@ -6,11 +6,12 @@ mod support;
 use std::{
     fs,
     path::Path,
-    process::{Child, Command, Output, Stdio},
-    thread::sleep,
-    time::{Duration, Instant},
+    process::{Command, Output, Stdio},
 };
-use support::spoilt_deck::{edited, write};
+use support::{
+    child::{signal, start, wait_until},
+    spoilt_deck::{edited, write},
+};
 use tempfile::TempDir;
 
 /// A folder with a deck of so many steps, which writes a state every 50.
@@ -38,24 +39,6 @@ fn stdout(output: &Output) -> String {
 
 fn stderr(output: &Output) -> String {
     String::from_utf8_lossy(&output.stderr).into_owned()
-}
-
-fn start(folder: &TempDir, arguments: &[&str]) -> Child {
-    let mut command = command(folder, arguments);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
-}
-
-fn wait_until(what: &str, is_so: impl Fn() -> bool) {
-    let started = Instant::now();
-    while !is_so() {
-        assert!(started.elapsed() < Duration::from_secs(60), "{what}");
-        sleep(Duration::from_millis(5));
-    }
-}
-
-fn signal(child: &Child, name: &str) {
-    let status = Command::new("kill").args([name, &child.id().to_string()]).status();
-    assert!(status.expect("kill runs").success());
 }
 
 /// Names and bytes of all result files that tell nothing of dates and durations.
@@ -99,7 +82,7 @@ fn part_length(folder: &TempDir) -> u64 {
 #[test]
 fn an_interrupted_run_goes_on_where_it_stopped() {
     let stopped = folder(STEPS);
-    let child = start(&stopped, &["deck.y", "--formats", "d3plot,yh", "--checkpoint"]);
+    let child = start(command(&stopped, &["deck.y", "--formats", "d3plot,yh", "--checkpoint"]));
     wait_until("the run gets on", || part_length(&stopped) > 20_000);
     signal(&child, "-INT");
     let output = child.wait_with_output().expect("the program ends");
@@ -116,7 +99,7 @@ fn an_interrupted_run_goes_on_where_it_stopped() {
 fn a_killed_run_goes_on_from_its_last_checkpoint() {
     let killed = folder(STEPS);
     let arguments = ["deck.y", "--formats", "d3plot,yh", "--checkpoint-every", "17000"];
-    let mut child = start(&killed, &arguments);
+    let mut child = start(command(&killed, &arguments));
     let checkpoint = killed.path().join("deck.checkpoint");
     wait_until("the run gets on", || checkpoint.exists() && part_length(&killed) > 50_000);
     signal(&child, "-KILL");
@@ -126,7 +109,7 @@ fn a_killed_run_goes_on_from_its_last_checkpoint() {
     let mut arguments = arguments.to_vec();
     arguments.push("--resume");
     let before = part_length(&killed);
-    let mut child = start(&killed, &arguments);
+    let mut child = start(command(&killed, &arguments));
     wait_until("the run gets on", || part_length(&killed) > before + 30_000);
     signal(&child, "-KILL");
     child.wait().expect("it ends");

@@ -7,10 +7,11 @@ use std::{
     fs,
     os::unix::process::ExitStatusExt,
     process::{Child, Command, Stdio},
-    thread::sleep,
-    time::{Duration, Instant},
 };
-use support::spoilt_deck::{edited, write};
+use support::{
+    child::{self, signal, wait_until},
+    spoilt_deck::{edited, write},
+};
 use tempfile::TempDir;
 use yformat::d3plot::FamilyReader;
 
@@ -18,29 +19,15 @@ use yformat::d3plot::FamilyReader;
 fn start(folder: &TempDir, steps: &str, arguments: &[&str]) -> Child {
     let deck = edited(&[("MCSTEP 20", steps), ("DCSTEC 1e-5", "DCSTEC 1e-9")]);
     write(folder.path(), "deck.y", deck.as_bytes());
-    Command::new(env!("CARGO_BIN_EXE_ypsilon"))
-        .current_dir(folder)
-        .args(arguments)
-        .stdin(Stdio::null())
-        .stdout(Stdio::piped())
-        .stderr(Stdio::piped())
-        .spawn()
-        .expect("the program starts")
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ypsilon"));
+    command.current_dir(folder).args(arguments).stdin(Stdio::null());
+    child::start(command)
 }
 
 /// Waits until the d3plot file has got some states.
 fn wait_for_states(folder: &TempDir) {
-    let started = Instant::now();
     let size = || fs::metadata(folder.path().join("deck.part")).map_or(0, |file| file.len());
-    while size() < 20_000 {
-        assert!(started.elapsed() < Duration::from_secs(60), "the run does not get on");
-        sleep(Duration::from_millis(10));
-    }
-}
-
-fn signal(child: &Child, name: &str) {
-    let status = Command::new("kill").args([name, &child.id().to_string()]).status();
-    assert!(status.expect("kill runs").success());
+    wait_until("the run does not get on", || size() >= 20_000);
 }
 
 #[test]

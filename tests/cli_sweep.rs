@@ -7,11 +7,13 @@ use std::{
     collections::BTreeMap,
     fs,
     path::Path,
-    process::{Child, Command, Output, Stdio},
-    thread::sleep,
-    time::{Duration, Instant, SystemTime},
+    process::{Command, Output, Stdio},
+    time::SystemTime,
 };
-use support::spoilt_deck::{base, edited, write};
+use support::{
+    child::{signal, start, wait_until},
+    spoilt_deck::{base, edited, write},
+};
 use tempfile::TempDir;
 
 /// Two parameters of the base deck, three outputs.
@@ -255,24 +257,6 @@ fn a_case_that_fails_is_a_row_and_stops_no_other() {
     assert_eq!(table(&folder, "study/results.csv").1.len(), 4);
 }
 
-fn start(folder: &TempDir, arguments: &[&str]) -> Child {
-    let mut command = command(folder, arguments);
-    command.stdout(Stdio::piped()).stderr(Stdio::piped()).spawn().expect("the program starts")
-}
-
-fn wait_until(what: &str, is_so: impl Fn() -> bool) {
-    let started = Instant::now();
-    while !is_so() {
-        assert!(started.elapsed() < Duration::from_secs(120), "{what}");
-        sleep(Duration::from_millis(5));
-    }
-}
-
-fn signal(child: &Child, name: &str) {
-    let status = Command::new("kill").args([name, &child.id().to_string()]).status();
-    assert!(status.expect("kill runs").success());
-}
-
 /// A sweep is ended by a signal in the midst of its second case, and gone on with.
 fn goes_on_after(name: &str, code: Option<i32>) {
     let steps = "MCSTEP 40000";
@@ -280,7 +264,7 @@ fn goes_on_after(name: &str, code: Option<i32>) {
     ends(&straight, &["sweep", "study.toml", "--quiet", "--jobs", "1"], 0);
 
     let folder = long(steps);
-    let mut child = start(&folder, &["sweep", "study.toml", "--jobs", "1"]);
+    let mut child = start(command(&folder, &["sweep", "study.toml", "--jobs", "1"]));
     let checkpoint = folder.path().join("study/case-0002/deck.checkpoint");
     wait_until("no checkpoint of the second case", || checkpoint.exists());
     signal(&child, name);

@@ -6,13 +6,11 @@
 mod support;
 
 use proptest::prelude::*;
-use std::{
-    alloc::{GlobalAlloc, Layout, System},
-    fs,
-    path::Path,
-    sync::atomic::{AtomicUsize, Ordering},
+use std::{fs, path::Path};
+use support::{
+    largest_allocation::{LARGEST_ALLOCATION, Watched, largest},
+    spoilt_deck,
 };
-use support::spoilt_deck;
 use tempfile::TempDir;
 use yformat::dialect::Dialect;
 use ypsilon::{
@@ -20,28 +18,6 @@ use ypsilon::{
     session::{Format, RunOptions, Silent, load, run},
     simulation::SolverOptions,
 };
-
-/// Most bytes that one allocation may take for decks of a few kilobytes.
-const LARGEST_ALLOCATION: usize = 64 << 20;
-
-/// The system's allocator, which remembers the largest piece that anybody asked for.
-struct Watched;
-
-static LARGEST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: all calls are handed to the system's allocator as they are.
-unsafe impl GlobalAlloc for Watched {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        LARGEST.fetch_max(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller keeps the allocator's contract.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller keeps the allocator's contract.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
 
 #[global_allocator]
 static ALLOCATOR: Watched = Watched;
@@ -59,7 +35,7 @@ fn exercise(deck: &[u8]) -> bool {
         let size = file.metadata().map_or(0, |metadata| metadata.len());
         assert!(size <= LARGEST_FILE, "{file:?} has {size} bytes");
     }
-    let largest = LARGEST.load(Ordering::Relaxed);
+    let largest = largest();
     assert!(largest <= LARGEST_ALLOCATION, "somebody asked for {largest} bytes");
     recognised || forced
 }

@@ -136,7 +136,7 @@ fn what_was_torn_apart_is_so_after_a_restart() {
     let mut saved = Vec::new();
     while straight.failures().len() < 8 {
         // kept before the first failure, and before the last one known
-        if straight.step_index() % 50 == 0 {
+        if straight.step_index().is_multiple_of(50) {
             saved.push(postcard::to_stdvec(&straight.state()).expect("a state can be written"));
         }
         let next = straight.step_index() + 1;

@@ -1,37 +1,13 @@
 //! What the fuzzers have found worth keeping (`fuzz/corpus`) goes through its reader: no panic, no
 //! allocation beyond what small files deserve, no run without end.
 
+#[path = "support/largest_allocation.rs"]
+mod largest_allocation;
 mod readers;
 
+use largest_allocation::{LARGEST_ALLOCATION, Watched, largest};
 use readers::READERS;
-use std::{
-    alloc::{GlobalAlloc, Layout, System},
-    fs,
-    path::Path,
-    sync::atomic::{AtomicUsize, Ordering},
-};
-
-/// Most bytes that one allocation may take for a file of a few kilobytes.
-const LARGEST_ALLOCATION: usize = 64 << 20;
-
-/// The system's allocator, which remembers the largest piece that anybody asked for.
-struct Watched;
-
-static LARGEST: AtomicUsize = AtomicUsize::new(0);
-
-// SAFETY: all calls are handed to the system's allocator as they are.
-unsafe impl GlobalAlloc for Watched {
-    unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        LARGEST.fetch_max(layout.size(), Ordering::Relaxed);
-        // SAFETY: the caller keeps the allocator's contract.
-        unsafe { System.alloc(layout) }
-    }
-
-    unsafe fn dealloc(&self, pointer: *mut u8, layout: Layout) {
-        // SAFETY: the caller keeps the allocator's contract.
-        unsafe { System.dealloc(pointer, layout) }
-    }
-}
+use std::{fs, path::Path};
 
 #[global_allocator]
 static ALLOCATOR: Watched = Watched;
@@ -48,7 +24,7 @@ fn every_file_of_every_corpus_is_read() {
         assert!(!files.is_empty(), "fuzz/corpus/{name} is empty");
         for file in files {
             read(&fs::read(&file).expect("a readable file"));
-            let largest = LARGEST.load(Ordering::Relaxed);
+            let largest = largest();
             assert!(largest <= LARGEST_ALLOCATION, "{file:?}: somebody asked for {largest} bytes");
         }
     }

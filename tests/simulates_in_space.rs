@@ -13,7 +13,10 @@ use std::{
 use support::spoilt_deck::{base_of, edit, write};
 use tempfile::TempDir;
 use ypsilon::{
-    meshing::{Scenario, spatial::kinds::Wall3d},
+    meshing::{
+        Scenario,
+        spatial::kinds::{BrickBond, Wall3d},
+    },
     scene::{PressedFaces, Profile, SpatialContact},
     session::{Checkpoint, Checkpoints, Format, RunOptions, RunSummary, Silent, load, run_with},
     simulation::{AnySimulation, SolverOptions, SpatialSimulation, SpatialState},
@@ -272,28 +275,62 @@ fn vtu_files_hold_tetrahedra_and_wedges() {
     assert_snapshot!(said);
 }
 
-/// A dry wall in English bond with friction: couples, springs and all.
-#[test]
-fn a_masonry_wall_moves_alike_on_1_2_3_and_8_threads() {
-    let wall =
-        Wall3d { bricks: 10, courses: 12, settle_s: 0.002, push_s: 0.01, ..Wall3d::default() };
+/// Runs a wall on 1, 2, 3 and 8 threads; `see` looks at the end of each run.
+fn wall_moves_alike(
+    wall: Wall3d,
+    profile: Profile,
+    pressed: PressedFaces,
+    steps: u64,
+    see: impl Fn(&SpatialSimulation),
+) {
     let scenario = Scenario { wall_3d: Some(wall), ..Scenario::default() };
     let deck = scenario.generate_in_space().expect("a wall").deck.to_text();
     let folder = TempDir::new().expect("a temporary folder");
     let deck = write(folder.path(), "wall.y", deck.as_bytes());
-    let spatial_contact = SpatialContact { pressed: PressedFaces::Both, has_friction: true };
+    let spatial_contact = SpatialContact { pressed, has_friction: true };
     let run = |threads| {
         let team = Team::new(threads).expect("threads");
         let options = SolverOptions { spatial_contact, team, ..SolverOptions::default() };
-        let loaded = load(&deck, None, Profile::default(), options).expect("a sound deck");
+        let loaded = load(&deck, None, profile, options).expect("a sound deck");
         let simulation = loaded.simulation.and_then(AnySimulation::into_spatial);
         let mut simulation = simulation.expect("a deck in space");
         assert!(simulation.tetrahedra().count() > 2048);
-        (0..120).for_each(|_| step(&mut simulation));
+        (0..steps).for_each(|_| step(&mut simulation));
+        see(&simulation);
         bytes(&simulation)
     };
     let alone = run(1);
     for threads in [2, 3, 8] {
         assert!(run(threads) == alone, "{threads} threads give other bits");
     }
+}
+
+/// A dry wall in English bond with friction: couples, springs and all.
+#[test]
+fn a_dry_wall_moves_alike_on_1_2_3_and_8_threads() {
+    let wall =
+        Wall3d { bricks: 10, courses: 12, settle_s: 0.002, push_s: 0.01, ..Wall3d::default() };
+    wall_moves_alike(wall, Profile::default(), PressedFaces::Both, 120, |_| {});
+}
+
+/// A mortared wall that cracks, and touches where it has cracked.
+#[test]
+fn a_wall_that_cracks_moves_alike_on_1_2_3_and_8_threads() {
+    let wall = Wall3d {
+        bricks: 10,
+        courses: 10,
+        bond: BrickBond::Running,
+        cells: [2, 1, 1],
+        bonded: true,
+        contact_at_cracks: true,
+        push_m_s: [0.0, 30.0, 0.0],
+        settle_s: 1e-5,
+        push_s: 1e-3,
+        ..Wall3d::default()
+    };
+    wall_moves_alike(wall, Profile::Source, PressedFaces::Contactor, 300, |simulation| {
+        assert!(simulation.failures().len() > 20, "{} joints", simulation.failures().len());
+        let work = simulation.couple_work().expect("contact");
+        assert!(work.evaluated > 1000, "{} contacts", work.evaluated);
+    });
 }

@@ -2,12 +2,12 @@
 
 use super::{
     error::{SweepError, at},
+    json_file::write_json,
     run_case::folder_name,
     study::Study,
 };
 use serde::{Deserialize, Serialize};
-use std::{fs, io::Write, path::PathBuf};
-use yformat::part_file::PartFile;
+use std::{fs, path::PathBuf};
 
 /// The cases of a folder.
 #[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
@@ -45,14 +45,7 @@ impl Study {
         }
         fs::create_dir_all(&self.folder).map_err(at(&self.folder))?;
         let path = self.manifest_path();
-        let write = || {
-            let mut text = serde_json::to_string_pretty(&now)?;
-            text.push('\n');
-            let mut file = PartFile::create(&path)?;
-            file.write_all(text.as_bytes())?;
-            file.complete()
-        };
-        write().map(drop).map_err(at(&path))
+        write_json(&path, &now)
     }
 
     /// Cases that the folder holds beyond those of the study, by the names of their folders.

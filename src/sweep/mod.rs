@@ -17,6 +17,7 @@ mod child;
 mod error;
 mod evaluate;
 mod export;
+mod json_file;
 mod manifest;
 mod outputs;
 mod pool;

@@ -1,9 +1,8 @@
 //! What is known of a case: `case.json` in its folder.
 
-use super::error::{SweepError, at};
+use super::{error::SweepError, json_file::write_json};
 use serde::{Deserialize, Serialize};
-use std::{io::Write, path::Path};
-use yformat::part_file::PartFile;
+use std::path::Path;
 
 /// Name of the file.
 const NAME: &str = "case.json";
@@ -57,15 +56,7 @@ impl Record {
     }
 
     pub(super) fn write(&self, folder: &Path) -> Result<(), SweepError> {
-        let path = folder.join(NAME);
-        let write = || {
-            let mut text = serde_json::to_string_pretty(self)?;
-            text.push('\n');
-            let mut file = PartFile::create(&path)?;
-            file.write_all(text.as_bytes())?;
-            file.complete()
-        };
-        write().map(drop).map_err(at(&path))
+        write_json(&folder.join(NAME), self)
     }
 
     /// Whether it ended well.

@@ -1,9 +1,11 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod child;
 pub mod dialect_cases;
 pub mod dump;
 pub mod grid_deck;
+pub mod largest_allocation;
 pub mod plate_deck;
 pub mod result_files;
 pub mod results;
