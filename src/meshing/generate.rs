@@ -207,6 +207,15 @@ impl AnyGenerated {
         }
     }
 
+    /// Time step \[s\].
+    #[must_use]
+    pub fn step_s(&self) -> f64 {
+        match self {
+            Self::Plane(generated) => generated.step_s,
+            Self::Spatial(generated) => generated.step_s,
+        }
+    }
+
     /// What is worth telling about the deck, one line each.
     #[must_use]
     pub fn report(&self) -> Vec<String> {

@@ -5,7 +5,11 @@ mod plane_deck;
 mod sheet;
 
 use super::BenchError;
-use crate::meshing::{Scenario, kinds::Bridge};
+use crate::meshing::{
+    Scenario,
+    kinds::Bridge,
+    spatial::kinds::{BrickBond, Wall3d},
+};
 use plane_deck::PlaneDeck;
 use std::path::{Path, PathBuf};
 use yformat::deck::Deck;
@@ -17,7 +21,7 @@ pub struct Scene {
     pub name: &'static str,
     /// What it is, in one line.
     pub about: &'static str,
-    /// Triangles that it has if nothing else is asked for, about.
+    /// Triangles that it has if nothing else is asked for, about; 0 where it has one size.
     pub triangles: usize,
     /// Steps that take about a second.
     pub steps: u64,
@@ -31,10 +35,12 @@ enum Maker {
     Plane(fn(usize) -> PlaneDeck),
     /// By the bridge generator, as it is.
     Bridge,
+    /// A wall in space, as it is.
+    Wall(fn() -> Wall3d),
 }
 
 /// All scenes that Ypsilon makes itself; the first four are the original's speed scenes.
-pub const SCENES: [Scene; 6] = [
+pub const SCENES: [Scene; 8] = [
     Scene {
         name: "elastic",
         about: "elastic sheet, no contact, no joints",
@@ -77,7 +83,38 @@ pub const SCENES: [Scene; 6] = [
         steps: 1000,
         maker: Maker::Plane(sheet::debris),
     },
+    Scene {
+        name: "wall-3d",
+        about: "wall of a thousand mortared bricks, in space: joints between all tetrahedra, no contact",
+        triangles: 0,
+        steps: 200,
+        maker: Maker::Wall(mortared_wall),
+    },
+    Scene {
+        name: "wall-3d-dry",
+        about: "dry wall of 126 bricks, in space: each lies on others",
+        triangles: 0,
+        steps: 200,
+        maker: Maker::Wall(dry_wall),
+    },
 ];
+
+/// The wall of `examples/solids/wall-3d`.
+fn mortared_wall() -> Wall3d {
+    Wall3d {
+        bricks: 20,
+        courses: 25,
+        bond: BrickBond::Running,
+        cells: [2, 1, 1],
+        bonded: true,
+        contact_at_cracks: true,
+        ..Wall3d::default()
+    }
+}
+
+fn dry_wall() -> Wall3d {
+    Wall3d { bricks: 10, courses: 12, leaves: 1, bond: BrickBond::Running, ..Wall3d::default() }
+}
 
 impl Scene {
     /// The scene of a name.
@@ -101,16 +138,24 @@ impl Scene {
             Maker::Plane(make) => Ok(make(triangles).build(steps)),
             Maker::Bridge => {
                 let bridge = Some(Bridge::default());
-                let mut scenario = Scenario { bridge, ..Scenario::default() };
-                let step_s = scenario.generate()?.step_s;
-                let end_s = step_s * steps as f64;
-                scenario.run.step_s = Some(step_s);
-                scenario.run.end_s = Some(end_s);
-                scenario.run.output_s = Some(end_s);
-                Ok(scenario.generate()?.deck)
+                of_scenario(Scenario { bridge, ..Scenario::default() }, steps)
+            }
+            Maker::Wall(make) => {
+                let wall_3d = Some(make());
+                of_scenario(Scenario { wall_3d, ..Scenario::default() }, steps)
             }
         }
     }
+}
+
+/// A scenario for so many steps of its own length.
+fn of_scenario(mut scenario: Scenario, steps: u64) -> Result<Deck, BenchError> {
+    let step_s = scenario.generate_any()?.step_s();
+    let end_s = step_s * steps as f64;
+    scenario.run.step_s = Some(step_s);
+    scenario.run.end_s = Some(end_s);
+    scenario.run.output_s = Some(end_s);
+    Ok(scenario.generate_any()?.deck().clone())
 }
 
 /// A deck of somebody else's, where it is found beside the working folder: the masonry deck and
@@ -133,35 +178,66 @@ pub fn found_decks(folder: &Path) -> Vec<(String, PathBuf)> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{scene::Profile, scene::from_deck, simulation::Simulation};
+    use crate::{
+        scene::{Profile, SpatialContact, from_deck, spatial_from_deck},
+        simulation::{Simulation, SpatialSimulation},
+    };
     use yformat::database::Database;
 
-    fn simulation(deck: &Deck) -> Simulation {
+    fn database(deck: &Deck) -> Database {
         let mut database = Database::new(deck.dialect());
         for item in deck.stages()[0].items.clone() {
             let findings = database.apply(deck, item);
             assert!(findings.iter().all(|f| !f.is_error()), "{findings:?}");
         }
-        let outcome = from_deck(deck, &database, "test", Profile::default());
+        database
+    }
+
+    fn simulation(deck: &Deck) -> Simulation {
+        let outcome = from_deck(deck, &database(deck), "test", Profile::default());
         let scene = outcome.scene.unwrap_or_else(|| panic!("{:?}", outcome.findings));
         let mut simulation = Simulation::new(scene);
         simulation.prepare().expect("room for joints");
         simulation
     }
 
-    #[test]
-    fn all_scenes_make_decks_that_run() {
-        for scene in &SCENES {
-            let mut simulation = simulation(&scene.deck(300, 10).expect("a deck"));
+    fn simulation_in_space(deck: &Deck) -> SpatialSimulation {
+        let (profile, contact) = (Profile::default(), SpatialContact::default());
+        let outcome = spatial_from_deck(deck, &database(deck), "test", profile, contact);
+        let scene = outcome.scene.unwrap_or_else(|| panic!("{:?}", outcome.findings));
+        let mut simulation = SpatialSimulation::new(scene);
+        simulation.prepare().expect("room for joints");
+        simulation
+    }
+
+    /// Kinetic energy after ten steps, and contacts evaluated.
+    fn walk(scene: &Scene) -> (f64, u64) {
+        let deck = scene.deck(300, 10).expect("a deck");
+        if matches!(scene.maker, Maker::Wall(_)) {
+            let mut simulation = simulation_in_space(&deck);
             for _ in 0..10 {
                 simulation.evaluate_forces();
                 simulation.advance();
             }
-            assert!(simulation.sum_kinetic_energy().is_finite(), "{}", scene.name);
-            assert!(simulation.sum_kinetic_energy() > 0.0, "{}", scene.name);
-            let touches = simulation.couple_work().is_some_and(|work| work.detections > 0);
-            let dry = ["elastic", "jointed-nocontact"].contains(&scene.name);
-            assert_eq!(touches, !dry, "{}", scene.name);
+            let touches = simulation.couple_work().map_or(0, |work| work.evaluated);
+            return (simulation.sum_kinetic_energy(), touches);
+        }
+        let mut simulation = simulation(&deck);
+        for _ in 0..10 {
+            simulation.evaluate_forces();
+            simulation.advance();
+        }
+        let touches = simulation.couple_work().map_or(0, |work| work.detections);
+        (simulation.sum_kinetic_energy(), touches)
+    }
+
+    #[test]
+    fn all_scenes_make_decks_that_run() {
+        for scene in &SCENES {
+            let (energy, touches) = walk(scene);
+            assert!(energy.is_finite() && energy > 0.0, "{}", scene.name);
+            let dry = ["elastic", "jointed-nocontact", "wall-3d"].contains(&scene.name);
+            assert_eq!(touches > 0, !dry, "{}", scene.name);
         }
     }
 

@@ -24,8 +24,13 @@ pub(super) static YDPE: &[Keyword] = &of(
             "Pa/m², in 3D Pa",
             "tangential contact penalty, needed for contact in 2D",
         ),
-        reals("D1PEFR", ELEMENT_SETS, "-", "Coulomb friction coefficient, 2D")
-            .created_by("MPROP", 0.0),
+        reals(
+            "D1PEFR",
+            ELEMENT_SETS,
+            "-",
+            "Coulomb friction coefficient; in 3D with --contact-friction only",
+        )
+        .created_by("MPROP", 0.0),
         reals("D1PERA", ELEMENT_SETS, "m", "unused: radius of a sphere").no_effect(),
         reals("D1PERO", ELEMENT_SETS, "kg/m³", "density").required(),
         reals("D1PEVI", ELEMENT_SETS, "Pa·s", "viscosity").no_effect(),
