@@ -3,13 +3,9 @@
 
 mod support;
 
-use std::{
-    fs,
-    path::Path,
-    process::{Command, Output, Stdio},
-};
+use std::{fs, path::Path, process::Output};
 use support::{
-    child::{signal, start, wait_until},
+    child::{command, signal, start, wait_until},
     spoilt_deck::{edited, write},
 };
 use tempfile::TempDir;
@@ -21,12 +17,6 @@ fn folder(steps: &str) -> TempDir {
         edited(&[("MCSTEP 20", steps), ("DCSTEC 1e-5", "DCSTEC 1e-9"), ("ICOUTF 10", "ICOUTF 50")]);
     write(folder.path(), "deck.y", deck.as_bytes());
     folder
-}
-
-fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ypsilon"));
-    command.current_dir(folder).args(arguments).stdin(Stdio::null());
-    command
 }
 
 fn run(folder: &TempDir, arguments: &[&str]) -> Output {

@@ -3,13 +3,9 @@
 
 mod support;
 
-use std::{
-    fs,
-    os::unix::process::ExitStatusExt,
-    process::{Child, Command, Stdio},
-};
+use std::{fs, os::unix::process::ExitStatusExt, process::Child};
 use support::{
-    child::{self, signal, wait_until},
+    child::{self, command, signal, wait_until},
     spoilt_deck::{edited, write},
 };
 use tempfile::TempDir;
@@ -19,9 +15,7 @@ use yformat::d3plot::FamilyReader;
 fn start(folder: &TempDir, steps: &str, arguments: &[&str]) -> Child {
     let deck = edited(&[("MCSTEP 20", steps), ("DCSTEC 1e-5", "DCSTEC 1e-9")]);
     write(folder.path(), "deck.y", deck.as_bytes());
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ypsilon"));
-    command.current_dir(folder).args(arguments).stdin(Stdio::null());
-    child::start(command)
+    child::start(command(folder, arguments))
 }
 
 /// Waits until the d3plot file has got some states.

@@ -7,11 +7,11 @@ use std::{
     collections::BTreeMap,
     fs,
     path::Path,
-    process::{Command, Output, Stdio},
+    process::{Command, Output},
     time::SystemTime,
 };
 use support::{
-    child::{signal, start, wait_until},
+    child::{command, signal, start, wait_until},
     spoilt_deck::{base, edited, write},
 };
 use tempfile::TempDir;
@@ -64,12 +64,6 @@ fn long(steps: &str) -> TempDir {
     ]);
     write(folder.path(), "deck.y", deck.as_bytes());
     folder
-}
-
-fn command(folder: &TempDir, arguments: &[&str]) -> Command {
-    let mut command = Command::new(env!("CARGO_BIN_EXE_ypsilon"));
-    command.current_dir(folder).args(arguments).stdin(Stdio::null());
-    command
 }
 
 fn run(folder: &TempDir, arguments: &[&str]) -> Output {

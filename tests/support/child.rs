@@ -5,6 +5,14 @@ use std::{
     thread::sleep,
     time::{Duration, Instant},
 };
+use tempfile::TempDir;
+
+/// The program with these arguments in a folder, without input.
+pub fn command(folder: &TempDir, arguments: &[&str]) -> Command {
+    let mut command = Command::new(env!("CARGO_BIN_EXE_ypsilon"));
+    command.current_dir(folder).args(arguments).stdin(Stdio::null());
+    command
+}
 
 /// Starts it; what it prints can be taken afterwards.
 pub fn start(mut command: Command) -> Child {

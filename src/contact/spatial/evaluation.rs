@@ -65,6 +65,12 @@ impl Step<'_> {
         }
     }
 
+    /// Target and contactor of a couple with what their shape functions need.
+    fn shapes(&self, visit: &Visit) -> [Shape3; 2] {
+        let targets = &self.visits.bodies.targets;
+        visit.participants.map(|place| Shape3::new(targets[place as usize].corners))
+    }
+
     /// Friction of a couple whose bodies press on each other, and the stretch of its spring then.
     fn friction(
         &self,
@@ -123,7 +129,9 @@ impl Chunk {
                     self.press_faces::<L>(step, couple, |corners, force, double_area| {
                         pressure.add(corners, force, double_area);
                     });
-                    self.rub(step, couple, pressure.contact());
+                    let visit = &step.visits.list[couple as usize];
+                    let contact = pressure.contact().map(|contact| (contact, step.shapes(visit)));
+                    self.rub(step, couple, contact);
                 }
             }
             SpatialContact { pressed: PressedFaces::Both, .. } => {
@@ -160,10 +168,9 @@ impl Chunk {
     fn press_bodies(&mut self, step: &Step<'_>, couple: u32) {
         let visit = &step.visits.list[couple as usize];
         let pair = step.surfaces.pair(visit.rank);
-        let bodies = &step.visits.bodies;
-        let [target, contactor] =
-            visit.participants.map(|place| Shape3::new(bodies.targets[place as usize].corners));
-        let found = TwoSided::new([&target, &contactor], pair.penalty);
+        let shapes = step.shapes(visit);
+        let [target, contactor] = &shapes;
+        let found = TwoSided::new([target, contactor], pair.penalty);
         if let Some(both) = &found {
             self.exerted.push((visit.participants, Exerted::Bodies(both.forces)));
         }
@@ -171,23 +178,19 @@ impl Chunk {
             let contact = found.and_then(|both| {
                 let [on_contactor, on_target] = &both.pressed;
                 let pressed = [&on_contactor.faces, &on_target.faces];
-                Contact::new([&target, &contactor], pressed, pair.penalty)
+                Contact::new([target, contactor], pressed, pair.penalty)
             });
-            self.rub(step, couple, contact);
+            self.rub(step, couple, contact.map(|contact| (contact, shapes)));
         }
     }
 
-    /// Friction of a couple in contact; the spring of one that is not is let go.
-    fn rub(&mut self, step: &Step<'_>, couple: u32, contact: Option<Contact>) {
+    /// Friction of a couple in contact, with its bodies; the spring of one that is not is let go.
+    fn rub(&mut self, step: &Step<'_>, couple: u32, contact: Option<(Contact, [Shape3; 2])>) {
         let visit = &step.visits.list[couple as usize];
         let mut slip = Slip::default();
-        if let Some(contact) = contact {
-            let bodies = &step.visits.bodies;
-            let shapes =
-                visit.participants.map(|place| Shape3::new(bodies.targets[place as usize].corners));
+        if let Some((contact, [target, contactor])) = &contact {
             let pair = step.surfaces.pair(visit.rank);
-            let (forces, stretched) =
-                step.friction(visit, [&shapes[0], &shapes[1]], &contact, &pair);
+            let (forces, stretched) = step.friction(visit, [target, contactor], contact, &pair);
             self.exerted.push((visit.participants, Exerted::Bodies(forces)));
             slip = stretched;
         }

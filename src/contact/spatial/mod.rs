@@ -42,7 +42,7 @@ mod visits;
 pub use bodies::{Contactor, Tetrahedron};
 pub use frame::{FACES, Frame};
 pub use interaction::{Contact3, ContactState3, Motion3};
-pub use overlap3::{FaceForce, overlap};
+pub use overlap3::FaceForce;
 
 use nalgebra::Vector3;
 

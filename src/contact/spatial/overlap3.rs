@@ -6,7 +6,7 @@ use super::{
     shares,
     signs::Signs,
 };
-use crate::lanes::{self, Kernel, Lanes};
+use crate::lanes::Lanes;
 
 /// The force between a face of the contactor and a face of the target.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -77,25 +77,4 @@ pub(super) fn overlap_in<L: Lanes>(
         };
         exert(force, polygon.double_area());
     }
-}
-
-/// Calls `exert` with the forces of a couple, as `overlap_in` does with its lanes.
-pub fn overlap(
-    target: &Tetrahedron,
-    contactor: &Contactor,
-    active: u16,
-    penalty: f64,
-    exert: impl FnMut(FaceForce),
-) {
-    struct One<'a, F>(&'a Tetrahedron, &'a Contactor, u16, f64, F);
-    impl<F: FnMut(FaceForce)> Kernel for One<'_, F> {
-        type Output = ();
-
-        #[inline(always)]
-        fn run<L: Lanes>(self) {
-            let mut exert = self.4;
-            overlap_in::<L>(self.0, self.1, self.2, self.3, |force, _| exert(force));
-        }
-    }
-    lanes::run(One(target, contactor, active, penalty, exert));
 }

@@ -1,17 +1,39 @@
 use super::{
     Contactor, FaceForce, Tetrahedron, Vec3,
     clearance3::{ALL_PAIRS, Asked},
-    oracle, overlap,
+    oracle,
+    overlap3::overlap_in,
     samples::{neighbours, overlapping, vector},
 };
+use crate::lanes::{self, Kernel, Lanes};
 use proptest::prelude::*;
 
 /// Forces of the couple of a target and a contactor.
 fn exerted([target, contactor]: &[[Vec3; 4]; 2], active: u16, penalty: f64) -> Vec<FaceForce> {
     let mut forces = Vec::new();
     let (target, contactor) = (Tetrahedron::new(*target), Contactor::new(contactor));
-    overlap(&target, &contactor, active, penalty, |force| forces.push(force));
+    let exert = |force| forces.push(force);
+    lanes::run(Couple { target: &target, contactor: &contactor, active, penalty, exert });
     forces
+}
+
+/// A couple to be evaluated in lanes.
+struct Couple<'a, F> {
+    target: &'a Tetrahedron,
+    contactor: &'a Contactor,
+    active: u16,
+    penalty: f64,
+    exert: F,
+}
+
+impl<F: FnMut(FaceForce)> Kernel for Couple<'_, F> {
+    type Output = ();
+
+    #[inline(always)]
+    fn run<L: Lanes>(mut self) {
+        let exert = |force, _| (self.exert)(force);
+        overlap_in::<L>(self.target, self.contactor, self.active, self.penalty, exert);
+    }
 }
 
 /// Sums over the nodes 0 to 3 of the target and 4 to 7 of the contactor.

@@ -5,11 +5,9 @@ use crate::{
     lanes::{Kernel, LANES, Lanes, Mask as _, each, run},
     mechanics::{
         Vec3, face_load,
-        joint3::Points,
         tetrahedron::{SolidLaw, lanes},
         tetrahedron10,
     },
-    scene::JointPoints,
     simulation::StressUse,
     team::Team,
 };
@@ -20,18 +18,6 @@ use std::sync::atomic::{AtomicU32, Ordering};
 const PARALLEL_FROM: usize = 2048;
 /// Number of elements or nodes that a thread takes at a time.
 const GRAIN: usize = 512;
-
-impl JointPoints {
-    /// The points.
-    #[must_use]
-    pub fn points(self) -> Points {
-        match self {
-            Self::Three => Points::THREE,
-            Self::Seven => Points::SEVEN,
-            Self::MidEdges => Points::MID_EDGES,
-        }
-    }
-}
 
 /// Forces of four tetrahedra on their nodes, and their stresses in the last step that needed them.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

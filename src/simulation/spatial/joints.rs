@@ -11,8 +11,20 @@ use crate::{
         Vec3,
         joint3::{self, JointResponse, Points, intact},
     },
-    scene::{CohesiveLaw, ContactSelection, FailedJoints, JointKind, Scene},
+    scene::{CohesiveLaw, ContactSelection, FailedJoints, JointKind, JointPoints, Scene},
 };
+
+impl JointPoints {
+    /// The points.
+    #[must_use]
+    pub fn points(self) -> Points {
+        match self {
+            Self::Three => Points::THREE,
+            Self::Seven => Points::SEVEN,
+            Self::MidEdges => Points::MID_EDGES,
+        }
+    }
+}
 
 /// Forces of four joints across their faces.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
