@@ -35,9 +35,9 @@ fn audited(moving: &mut Moving, dt: f64, steps: usize) -> Audited {
                 audit.after_forces(simulation);
                 simulation.advance();
                 audit.after_motion(simulation);
-                balances.push(audit.balance());
+                balances.push(audit.ledger().balance());
             }
-            audit.worst_error()
+            audit.ledger().worst_error()
         }
         Moving::Space(simulation) => {
             let mut audit = SpaceAudit::new();
@@ -46,9 +46,9 @@ fn audited(moving: &mut Moving, dt: f64, steps: usize) -> Audited {
                 audit.after_forces(simulation);
                 simulation.advance();
                 audit.after_motion(simulation);
-                balances.push(audit.balance());
+                balances.push(audit.ledger().balance());
             }
-            audit.worst_error()
+            audit.ledger().worst_error()
         }
     };
     Audited {

@@ -276,6 +276,25 @@ fn the_help_shows_all_options_and_exit_codes() {
 }
 
 #[test]
+fn every_command_shows_examples() {
+    let work = Workplace::new(&[]);
+    let help = work.ypsilon(&["--help"]).stdout;
+    let commands = help.split("Commands:\n").nth(1).expect("commands").lines();
+    let commands: Vec<&str> = commands
+        .take_while(|line| line.starts_with("  "))
+        .filter(|line| !line.starts_with("   "))
+        .filter_map(|line| line.split_whitespace().next())
+        .filter(|command| *command != "help")
+        .collect();
+    assert!(commands.len() > 10, "{commands:?}");
+    for command in commands {
+        let help = work.ypsilon(&[command, "--help"]).stdout;
+        let example = help.split("Example").nth(1).unwrap_or_default();
+        assert!(example.contains(&format!("ypsilon {command} ")), "{help}");
+    }
+}
+
+#[test]
 fn packages_get_man_pages_and_completions() {
     let workplace = Workplace::new(&[]);
     let done = workplace.ypsilon(&["man", "--out", "pages"]);

@@ -77,7 +77,7 @@ fn an_interrupted_run_goes_on_where_it_stopped() {
     signal(&child, "-INT");
     let output = child.wait_with_output().expect("the program ends");
     assert_eq!(output.status.code(), Some(130));
-    assert!(stdout(&output).contains("with --resume"), "{}", stdout(&output));
+    assert!(stdout(&output).contains("with `ypsilon resume ./deck.checkpoint`"), "{}", stdout(&output));
     // formats are those of the first part
     let output = run(&stopped, &["deck.y", "--resume"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -179,6 +179,106 @@ fn a_resumed_run_keeps_the_law_of_contact_of_tetrahedra() {
     assert_ne!(results(straight.path()), results(original.path()), "the law has an effect");
     let output = run(&resumed, &["deck.y", "--resume", "--contact", "one-sided"]);
     assert_eq!(output.status.code(), Some(2), "the law cannot change halfway");
+}
+
+/// Tables that add up over the whole run: works of forces, and what nodes do together.
+#[test]
+fn tables_of_energies_and_monitors_are_gone_on_with() {
+    let watched = [
+        "--energy=10",
+        "--monitor",
+        "top=nodes:2,3:uy,force-y,kinetic-energy",
+        "--monitor",
+        "all=box:,:0.5:reaction-x,strain-energy",
+        "--monitor-every",
+        "25",
+    ];
+    let (straight, resumed) = (folder("MCSTEP 2000"), folder("MCSTEP 2000"));
+    for (folder, more) in
+        [(&straight, &["-q"][..]), (&resumed, &["-q", "--checkpoint", "--steps", "777"])]
+    {
+        let output = run(folder, &[&["deck.y", "--formats", "yh"], &watched[..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    }
+    let half = fs::read_to_string(resumed.path().join("deck.energy.csv")).expect("a table");
+    // what is watched is that of the first part
+    let output = run(&resumed, &["resume", ".", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_same(&resumed, &straight);
+    let whole = fs::read_to_string(resumed.path().join("deck.energy.csv")).expect("a table");
+    assert_eq!((half.lines().count(), whole.lines().count()), (79, 201));
+    assert!(whole.starts_with(&half));
+    let output = run(&resumed, &["deck.y", "--resume", "--energy=20"]);
+    assert_eq!(output.status.code(), Some(2), "a table cannot get other lines halfway");
+}
+
+#[test]
+fn the_table_of_energies_is_gone_on_with_in_space() {
+    let folder = || {
+        let folder = TempDir::new().expect("a temporary folder");
+        write(folder.path(), "deck.y", SLIDING_CUBE.as_bytes());
+        folder
+    };
+    let (straight, resumed) = (folder(), folder());
+    let common = ["deck.y", "--formats", "yh", "--energy=20", "--contact", "two-sided", "-q"];
+    let output = run(&straight, &[&common[..], &["--steps", "600"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = run(&resumed, &[&common[..], &["--steps", "250", "--checkpoint"]].concat());
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    let output = run(&resumed, &["resume", "deck.checkpoint", "--steps", "350", "-q"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert_same(&resumed, &straight);
+}
+
+#[test]
+fn a_run_is_gone_on_with_by_the_name_of_its_folder() {
+    let (straight, stopped) = (folder("MCSTEP 400"), folder("MCSTEP 400"));
+    for (folder, more) in
+        [(&straight, &["-q"][..]), (&stopped, &["-q", "--steps", "150", "--checkpoint"])]
+    {
+        let deck = ["run", "deck.y", "--out", "out", "--formats", "d3plot,yh"];
+        let output = run(folder, &[&deck[..], more].concat());
+        assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    }
+    let out = |folder: &TempDir| results(&folder.path().join("out"));
+    // the deck is found from wherever the program is started
+    let elsewhere = TempDir::new().expect("a temporary folder");
+    let at = stopped.path().join("out").display().to_string();
+    let output = run(&elsewhere, &["resume", &at, "--steps", "100"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(stdout(&output).contains("with `ypsilon resume"), "{}", stdout(&output));
+    // and if it has gone away, it is asked for
+    let deck = stopped.path().join("deck.y");
+    let moved = elsewhere.path().join("deck.y");
+    fs::rename(&deck, &moved).expect("moved");
+    let output = run(&elsewhere, &["resume", &at, "-q"]);
+    assert_eq!(output.status.code(), Some(1));
+    let said = stderr(&output);
+    assert!(said.contains("deck.y, which is not there any more: say with --deck"), "{said}");
+    let output = run(&elsewhere, &["resume", &at, "-q", "--deck", "deck.y"]);
+    assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
+    assert!(out(&stopped) == out(&straight));
+}
+
+#[test]
+fn a_folder_without_or_with_several_checkpoints_is_refused() {
+    let folder = folder("MCSTEP 20");
+    let code = |arguments: &[&str]| {
+        let output = run(&folder, arguments);
+        (output.status.code(), stderr(&output))
+    };
+    let (exit, said) = code(&["resume", "."]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("there is no checkpoint in .: runs write one with --checkpoint"), "{said}");
+    let (exit, said) = code(&["resume", "nowhere"]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("cannot read the checkpoint nowhere"), "{said}");
+    for name in ["a.checkpoint", "b.checkpoint", "c.unstable.checkpoint"] {
+        write(folder.path(), name, b"");
+    }
+    let (exit, said) = code(&["resume", "."]);
+    assert_eq!(exit, Some(1));
+    assert!(said.contains("name one of them: ./a.checkpoint, ./b.checkpoint\n"), "{said}");
 }
 
 #[test]

@@ -77,6 +77,40 @@ fn a_run_stops_at_the_first_step_that_makes_no_sense() {
     // and of all steps that one is the first: one more makes no sense, this one does
     let text = String::from_utf8(state).expect("text");
     assert!(!text.contains("NaN") && !text.contains("inf"));
+    // ParaView shows it with its stresses
+    assert!(stopped.stderr.contains("deck.unstable.vtu"), "{}", stopped.stderr);
+    let picture = stopped.folder.path().join("out/deck.unstable.vtu");
+    let mut results = ypsilon_post::results::Results::open(&picture).expect("results");
+    let frame = results.frame(0).expect("a frame");
+    assert_eq!(frame.triangles.len(), 2);
+    let stress = frame.stress.expect("stresses");
+    assert!(stress.iter().flatten().all(|s| s.is_finite()) && stress[0][0] != 0.0, "{stress:?}");
+}
+
+#[test]
+fn the_bound_of_the_energy_error_can_be_chosen() {
+    // far from unstable, but the balance of energies is never exact
+    let loose = run(&[], &["--energy=1", "--on-instability", "stop", "--quiet"]);
+    assert_eq!(loose.code, Some(0), "{}", loose.stderr);
+    let watched = ["--energy=1", "--energy-limit", "1e-15", "--on-instability", "stop", "--quiet"];
+    let strict = run(&[], &watched);
+    assert_eq!(strict.code, Some(4), "{}", strict.stderr);
+    assert!(strict.stderr.contains("balance of energies is off"), "{}", strict.stderr);
+    // it ends at the first step after which the balance is off
+    let table = fs::read_to_string(strict.folder.path().join("out/deck.energy.csv"));
+    let table = table.expect("the table of energies");
+    let lines: Vec<Vec<f64>> = table
+        .lines()
+        .skip(1)
+        .map(|line| line.split(',').map(|word| word.parse().expect("a number")).collect())
+        .collect();
+    let is_off: Vec<bool> = lines.iter().map(|line| line[line.len() - 1].abs() > 1e-15).collect();
+    let (last, before) = is_off.split_last().expect("lines");
+    assert!(*last && before.iter().all(|off| !off), "{table}");
+    assert_eq!(step_in(&strict.stderr), is_off.len() as u64 - 1);
+    let wrong = run(&[], &["--energy", "--energy-limit", "0"]);
+    assert_eq!(wrong.code, Some(2), "{}", wrong.stderr);
+    assert!(wrong.stderr.contains("expected a number above 0"), "{}", wrong.stderr);
 }
 
 #[test]

@@ -29,6 +29,13 @@ Files are recognised by what they hold, not by their names:
   deck, with --to deck  -> deck of another dialect (--dialect)
 Of folders all files of these kinds are converted.
 
+Examples:
+  ypsilon convert results/arch --out vtu
+  ypsilon convert old-results --out vtu --deck old/wall.y
+  ypsilon convert arch.yh0
+  ypsilon convert plate.msh --out decks
+  ypsilon convert arch.y --to deck --dialect classic --out decks
+
 Exit codes:
   0    everything is converted
   1    an input cannot be converted; the others are

@@ -3,6 +3,13 @@ use clap::Args;
 use std::io::Write;
 use yformat::{dialect::Dialect, keywords};
 
+/// What the help shows below the options.
+pub(super) const HELP: &str = "\
+Examples:
+  ypsilon keywords D1PEPE
+  ypsilon keywords --dialect y-geo viscosity
+  ypsilon keywords --dialect classic > keywords.md";
+
 /// Which keywords to list.
 #[derive(Debug, Args)]
 pub(super) struct KeywordArguments {

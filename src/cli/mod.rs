@@ -13,6 +13,7 @@ mod manual;
 mod mesh;
 mod plot;
 mod progress;
+mod resume;
 mod run;
 mod sweep;
 mod sweep_progress;
@@ -28,7 +29,7 @@ pub use exit::Exit;
 /// writes its results, named after the deck, into the current directory.
 #[derive(Debug, Parser)]
 #[command(version, args_conflicts_with_subcommands = true, arg_required_else_help = true)]
-#[command(after_help = exit::HELP)]
+#[command(after_help = run::help())]
 struct Arguments {
     #[command(subcommand)]
     command: Option<Command>,
@@ -39,8 +40,11 @@ struct Arguments {
 #[derive(Debug, Subcommand)]
 enum Command {
     /// Run a deck
-    #[command(after_help = exit::HELP)]
+    #[command(after_help = run::help())]
     Run(run::RunArguments),
+    /// Go on with a run that was interrupted, killed or ended early
+    #[command(after_help = resume::HELP)]
+    Resume(resume::ResumeArguments),
     /// Check a deck without running it
     #[command(after_help = check::HELP)]
     Check(check::CheckArguments),
@@ -62,6 +66,7 @@ enum Command {
     #[command(after_help = bench::HELP)]
     Bench(bench::BenchArguments),
     /// List the deck keywords of a dialect with their meaning
+    #[command(after_help = keywords::HELP)]
     Keywords(keywords::KeywordArguments),
     /// Print what lets a shell complete the command line
     #[command(
@@ -79,6 +84,7 @@ pub fn main() -> ExitCode {
     let arguments = Arguments::parse();
     let exit = match (arguments.command, arguments.run) {
         (Some(Command::Run(run)), _) | (None, Some(run)) => run::main(&run),
+        (Some(Command::Resume(resume)), _) => resume::main(&resume),
         (Some(Command::Check(check)), _) => check::main(&check),
         (Some(Command::Convert(convert)), _) => convert::main(&convert),
         (Some(Command::Plot(plot)), _) => plot::main(&plot),

@@ -188,7 +188,8 @@ impl Observer for Screen {
         }
         if let Some(file) = &self.checkpoint {
             let step = file.1;
-            say(&format!("{}: go on from step {step} with --resume", file.0.display()));
+            let file = file.0.display();
+            say(&format!("{file}: go on from step {step} with `ypsilon resume {file}`"));
         }
         let more = summary.files.len().saturating_sub(1);
         if let Some(file) = summary.files.first() {

@@ -1,7 +1,7 @@
 use super::{
     Exit,
     console::{say, warn},
-    deck_report, interrupt,
+    deck_report, exit, interrupt,
     progress::Screen,
 };
 use crate::{
@@ -18,8 +18,24 @@ use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
 use yformat::{diagnostic::Severity, dialect::Dialect};
 
+/// Examples and exit codes, as the help shows them.
+pub(super) fn help() -> String {
+    format!(
+        "\
+Examples:
+  ypsilon arch.y                              results beside the others in this folder, as the original does
+  ypsilon run arch.y --out results            results in a folder of their own
+  ypsilon run wall.y --settle --formats vtu   at rest first, results for ParaView only
+  ypsilon run wall.y --out results --checkpoint-every 20000 --on-instability stop
+  ypsilon run bridge.toml --out results --monitor crown=node:17:ux,uy
+
+{}",
+        exit::HELP
+    )
+}
+
 /// What to run and what to write.
-#[derive(Debug, Args)]
+#[derive(Debug, Default, Args)]
 pub(super) struct RunArguments {
     /// Input deck (`.y`), or scenario (`.toml`) whose deck is made into the folder of the results
     deck: PathBuf,
@@ -32,10 +48,10 @@ pub(super) struct RunArguments {
     formats: Option<Vec<Format>>,
     /// Threads to compute with; results do not depend on it [default: all cores]
     #[arg(long, value_name = "N")]
-    threads: Option<usize>,
+    pub(super) threads: Option<usize>,
     /// Stop after so many steps, whatever the deck says
     #[arg(long, value_name = "N")]
-    steps: Option<u64>,
+    pub(super) steps: Option<u64>,
     /// Write the full-precision state after so many completed steps, as text
     #[arg(long, value_delimiter = ',', value_name = "N,N,...")]
     states: Vec<u64>,
@@ -59,7 +75,7 @@ pub(super) struct RunArguments {
     checkpoint: bool,
     /// The same, and after every N steps (for runs that may be killed)
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u64).range(1..))]
-    checkpoint_every: Option<u64>,
+    pub(super) checkpoint_every: Option<u64>,
     /// Go on from a checkpoint of the same deck and version, in the folder of its results
     /// (DECK.checkpoint there, if no file is given): all results are as if the run had
     /// never stopped. Of the deck only MCSTEP may have changed, to make a finished run
@@ -69,11 +85,11 @@ pub(super) struct RunArguments {
     /// Watch sums over nodes: NAME=SELECTION:QUANTITY[,QUANTITY...], such as
     /// support=set:1:reaction-x,reaction-y; written to BASE.monitors.csv. Selections: all,
     /// nodes:N,N, set:N, box:X0:X1,Y0:Y1, line:X0,Y0,X1,Y1, material:N, body:N
-    #[arg(long = "monitor", value_name = "MONITOR")]
+    #[arg(long = "monitor", value_name = "MONITOR", conflicts_with = "resume")]
     monitors: Vec<Monitor>,
     /// Steps between two lines of the monitors
     /// [default: 100, or what the scenario says]
-    #[arg(long = "monitor-every", value_name = "N",
+    #[arg(long = "monitor-every", value_name = "N", conflicts_with = "resume",
           value_parser = clap::value_parser!(u64).range(1..))]
     monitor_interval: Option<u64>,
     /// Watch where the energy is and where it goes: BASE.energy.csv with a line every N steps
@@ -82,10 +98,15 @@ pub(super) struct RunArguments {
           default_missing_value = "100", value_parser = clap::value_parser!(u64).range(1..),
           conflicts_with = "resume")]
     energy: Option<u64>,
+    /// Error of the balance of energies, by the largest energy so far, beyond which the motion makes no
+    /// sense any more
+    #[arg(long, value_name = "RATIO", requires = "energy", default_value_t = Watch::ENERGY_LIMIT,
+          value_parser = parse_ratio)]
+    energy_limit: f64,
     /// What to do when the motion makes no sense any more (no numbers, elements inside out, nodes ten
     /// times as fast as waves, energies off by a tenth with --energy): say so and go on, or stop at
-    /// the first such step with a state and a checkpoint just before it
-    /// [default: say so, and stop when there are no numbers]
+    /// the first such step with a state, VTU files and a checkpoint just before it
+    /// [default: say so, and stop when there are no numbers; with --resume as in the earlier run]
     #[arg(long, value_enum, value_name = "WHAT")]
     on_instability: Option<InstabilityName>,
     /// Write the d3plot header exactly as the original did (today's readers
@@ -114,7 +135,7 @@ pub(super) struct RunArguments {
     stop_at_eof: bool,
     /// Print nothing but errors
     #[arg(long, short)]
-    quiet: bool,
+    pub(super) quiet: bool,
 }
 
 /// The two originals of the split dialect.
@@ -144,6 +165,15 @@ pub(super) enum InstabilityName {
     Stop,
 }
 
+impl From<InstabilityName> for OnInstability {
+    fn from(name: InstabilityName) -> Self {
+        match name {
+            InstabilityName::Warn => Self::Warn,
+            InstabilityName::Stop => Self::Stop,
+        }
+    }
+}
+
 /// Laws of contact of tetrahedra.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
 pub(super) enum ContactName {
@@ -162,6 +192,11 @@ impl From<ContactName> for PressedFaces {
     }
 }
 
+fn parse_ratio(words: &str) -> Result<f64, String> {
+    let ratio: Option<f64> = words.parse().ok().filter(|ratio| *ratio > 0.0);
+    ratio.ok_or_else(|| format!("`{words}` is no ratio: expected a number above 0, such as 0.01"))
+}
+
 pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
     name.parse().map_err(|_| {
         let names: Vec<&str> = Dialect::ALL.iter().map(|d| d.name()).collect();
@@ -170,6 +205,11 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
 }
 
 impl RunArguments {
+    /// Goes on with a run of a deck from a checkpoint.
+    pub(super) fn from_checkpoint(deck: PathBuf, folder: PathBuf, checkpoint: PathBuf) -> Self {
+        Self { deck, folder, resume: Some(Some(checkpoint)), ..Self::default() }
+    }
+
     /// The dialect that the deck is taken for, if it is said.
     pub(super) fn dialect(&self) -> Option<Dialect> {
         self.dialect
@@ -212,17 +252,6 @@ impl RunArguments {
         Ok((made.path, made.monitors))
     }
 
-    fn watch(&self) -> Watch {
-        Watch {
-            energy_interval: self.energy,
-            on_instability: match self.on_instability {
-                None => OnInstability::EndLate,
-                Some(InstabilityName::Warn) => OnInstability::Warn,
-                Some(InstabilityName::Stop) => OnInstability::Stop,
-            },
-        }
-    }
-
     /// What is watched: the scenario's monitors, then those of the command line.
     fn plan(&self, of_scenario: MonitorPlan) -> MonitorPlan {
         let mut plan = of_scenario;
@@ -232,9 +261,10 @@ impl RunArguments {
     }
 
     /// What is asked for; what is not said is as in the earlier run.
-    fn settings(&self, earlier: Option<&Checkpoint>) -> RunSettings {
+    fn settings(&self, earlier: Option<&Checkpoint>, of_scenario: MonitorPlan) -> RunSettings {
         let given = |dialect: Dialect| dialect.name().to_owned();
         let profile = self.profile.map(Profile::from);
+        let on_instability = self.on_instability.map(OnInstability::from);
         match earlier.map(Checkpoint::settings) {
             None => RunSettings {
                 formats: self.formats.clone().unwrap_or(vec![Format::Native, Format::Vtu]),
@@ -243,12 +273,22 @@ impl RunArguments {
                 profile: profile.unwrap_or_default(),
                 dialect: self.dialect.map(given),
                 spatial_contact: self.spatial_contact(),
+                monitors: self.plan(of_scenario),
+                watch: Watch {
+                    energy_interval: self.energy,
+                    energy_limit: self.energy_limit,
+                    on_instability: on_instability.unwrap_or_default(),
+                },
             },
             Some(earlier) => RunSettings {
                 formats: self.formats.clone().unwrap_or_else(|| earlier.formats.clone()),
                 states: match self.states.is_empty() {
                     true => earlier.states.clone(),
                     false => self.states.clone(),
+                },
+                watch: Watch {
+                    on_instability: on_instability.unwrap_or(earlier.watch.on_instability),
+                    ..earlier.watch.clone()
                 },
                 // what decides about bits is not to be changed halfway
                 ..earlier.clone()
@@ -284,7 +324,7 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         Ok(resume) => resume,
         Err(error) => return report_failure(&error.into()),
     };
-    let settings = arguments.settings(resume.as_ref());
+    let settings = arguments.settings(resume.as_ref(), scenario_monitors);
     let dialect = settings.dialect.as_deref().and_then(|name| name.parse::<Dialect>().ok());
     let solver = SolverOptions {
         skip_separated_couples: !arguments.no_skip,
@@ -317,8 +357,8 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
         states: settings.states,
         steps: arguments.steps,
         legacy_d3plot: settings.legacy_d3plot,
-        monitors: arguments.plan(scenario_monitors),
-        watch: arguments.watch(),
+        monitors: settings.monitors,
+        watch: settings.watch,
         profile: settings.profile,
         settling: arguments.settling(),
     };

@@ -106,7 +106,9 @@ impl Generated {
             }
         }
         if (2..=12).contains(&steps.len()) {
-            let text = steps.iter().map(|(t, f)| format!("{:.3} kN from {t} s", f / 1e3));
+            // sums of ramps and intervals are not round
+            let round = |t: f64| (t * 1e9).round() / 1e9;
+            let text = steps.iter().map(|(t, f)| format!("{:.3} kN from {} s", f / 1e3, round(*t)));
             lines.push(format!("stages: {}", text.collect::<Vec<_>>().join(", ")));
         }
         lines

@@ -1,13 +1,16 @@
 //! The balance of energies during a run: `BASE.energy.csv`.
 
-use super::{OutputError, OutputNames, ResultWriter};
-use crate::simulation::{EnergyBalance, PlaneAudit, Simulation, SpaceAudit, SpatialSimulation};
-use serde::{Deserialize, Serialize};
-use std::{
-    io::{BufWriter, Write as _},
-    path::PathBuf,
+use super::{
+    FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, table_file::TableFile,
 };
-use yformat::part_file::PartFile;
+use crate::simulation::{
+    EnergyBalance, Ledger, PlaneAudit, Simulation, SpaceAudit, SpatialSimulation,
+};
+use serde::{Deserialize, Serialize};
+use std::path::PathBuf;
+
+/// What checkpoints call the table.
+const KIND: &str = "energy";
 
 /// How a run kept its energy.
 #[derive(Debug, Clone, Copy, PartialEq, Serialize, Deserialize)]
@@ -18,99 +21,143 @@ pub struct EnergySummary {
     pub worst_relative_error: f64,
 }
 
-/// Audits a simulation.
-pub trait Audit<S> {
+/// Audits a simulation in `D` dimensions.
+pub trait Audit<S, const D: usize> {
     /// Looks at a state after its forces were evaluated.
     fn after_forces(&mut self, simulation: &S);
-    /// Looks at it after it has moved: the balance, and the largest relative error so far.
-    fn after_motion(&mut self, simulation: &S) -> EnergySummary;
+    /// Looks at it after it has moved.
+    fn after_motion(&mut self, simulation: &S);
+    /// Energies and works so far.
+    fn ledger(&self) -> &Ledger<D>;
+    /// Goes on with those of an earlier audit; false if they are not complete.
+    fn go_on_with(&mut self, ledger: Ledger<D>) -> bool;
     /// Step and time of a simulation, s.
     fn instant(simulation: &S) -> (u64, f64);
 }
 
-impl Audit<Simulation> for PlaneAudit {
-    fn after_forces(&mut self, simulation: &Simulation) {
-        self.after_forces(simulation);
-    }
+macro_rules! audits {
+    ($audit:ty, $simulation:ty, $dimension:literal) => {
+        impl Audit<$simulation, $dimension> for $audit {
+            fn after_forces(&mut self, simulation: &$simulation) {
+                self.after_forces(simulation);
+            }
 
-    fn after_motion(&mut self, simulation: &Simulation) -> EnergySummary {
-        self.after_motion(simulation);
-        EnergySummary { last: self.balance(), worst_relative_error: self.worst_error() }
-    }
+            fn after_motion(&mut self, simulation: &$simulation) {
+                self.after_motion(simulation);
+            }
 
-    fn instant(simulation: &Simulation) -> (u64, f64) {
-        (simulation.step_index(), simulation.time())
-    }
+            fn ledger(&self) -> &Ledger<$dimension> {
+                self.ledger()
+            }
+
+            fn go_on_with(&mut self, ledger: Ledger<$dimension>) -> bool {
+                self.go_on_with(ledger)
+            }
+
+            fn instant(simulation: &$simulation) -> (u64, f64) {
+                (simulation.step_index(), simulation.time())
+            }
+        }
+    };
 }
 
-impl Audit<SpatialSimulation> for SpaceAudit {
-    fn after_forces(&mut self, simulation: &SpatialSimulation) {
-        self.after_forces(simulation);
-    }
-
-    fn after_motion(&mut self, simulation: &SpatialSimulation) -> EnergySummary {
-        self.after_motion(simulation);
-        EnergySummary { last: self.balance(), worst_relative_error: self.worst_error() }
-    }
-
-    fn instant(simulation: &SpatialSimulation) -> (u64, f64) {
-        (simulation.step_index(), simulation.time())
-    }
-}
+audits!(PlaneAudit, Simulation, 2);
+audits!(SpaceAudit, SpatialSimulation, 3);
 
 /// Writes the table of energies.
-pub struct EnergyOutput<A> {
+pub struct EnergyOutput<A, const D: usize> {
     audit: A,
     interval: u64,
-    path: PathBuf,
-    file: BufWriter<PartFile>,
+    /// None until a table of an earlier run is gone on with.
+    table: Option<TableFile>,
     summary: Option<EnergySummary>,
 }
 
-impl<A> EnergyOutput<A> {
+/// How to go on with a table of energies.
+#[derive(Serialize, Deserialize)]
+struct EnergyMark<const D: usize> {
+    position: FilePosition,
+    interval: u64,
+    ledger: Ledger<D>,
+    summary: Option<EnergySummary>,
+}
+
+impl<A, const D: usize> EnergyOutput<A, D> {
     /// Starts the table, which gets a line at steps whose index is a multiple of `interval`.
     ///
     /// # Errors
     /// If the file cannot be created.
     pub fn open(names: &OutputNames, audit: A, interval: u64) -> Result<Self, OutputError> {
-        let path = names.energy();
-        let part = PartFile::create(&path).map_err(OutputError::io(&path))?;
-        let mut file = BufWriter::new(part);
         let heading = format!("time (s),step,{}", EnergyBalance::NAMES.join(","));
-        writeln!(file, "{heading}").map_err(OutputError::io(&path))?;
-        Ok(Self { audit, interval, path, file, summary: None })
+        let table = Some(TableFile::create(names.energy(), &heading)?);
+        Ok(Self { table, ..Self::closed(audit, interval) })
+    }
+
+    /// A table of an earlier run, to be gone on with.
+    #[must_use]
+    pub fn closed(audit: A, interval: u64) -> Self {
+        Self { audit, interval, table: None, summary: None }
     }
 }
 
-impl<S, A: Audit<S>> ResultWriter<S> for EnergyOutput<A> {
+impl<S, A: Audit<S, D>, const D: usize> ResultWriter<S> for EnergyOutput<A, D> {
     fn after_forces(&mut self, simulation: &S) -> Result<(), OutputError> {
         self.audit.after_forces(simulation);
         Ok(())
     }
 
     fn after_motion(&mut self, simulation: &S) -> Result<(), OutputError> {
-        let summary = self.audit.after_motion(simulation);
-        self.summary = Some(summary);
+        self.audit.after_motion(simulation);
+        let ledger = self.audit.ledger();
+        let last = ledger.balance();
+        self.summary = Some(EnergySummary { last, worst_relative_error: ledger.worst_error() });
         let (step, time) = A::instant(simulation);
-        if !step.is_multiple_of(self.interval) {
-            return Ok(());
+        match &mut self.table {
+            Some(table) if step.is_multiple_of(self.interval) => {
+                let values = last.values().map(|value| format!("{value:e}"));
+                table.line(&format!("{time:e},{step},{}", values.join(",")))
+            }
+            _ => Ok(()),
         }
-        let values = summary.last.values().map(|value| format!("{value:e}"));
-        writeln!(self.file, "{time:e},{step},{}", values.join(","))
-            .map_err(OutputError::io(&self.path))
     }
 
     fn kind(&self) -> &'static str {
-        "energy"
+        KIND
     }
 
     fn energy(&self) -> Option<EnergySummary> {
         self.summary
     }
 
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let table = self.table.as_mut().ok_or(OutputError::Mark { kind: KIND })?;
+        encode(
+            KIND,
+            &EnergyMark {
+                position: table.mark()?,
+                interval: self.interval,
+                ledger: self.audit.ledger().clone(),
+                summary: self.summary,
+            },
+        )
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        _simulation: &S,
+    ) -> Result<(), OutputError> {
+        let mark: EnergyMark<D> = decode(KIND, mark)?;
+        if mark.interval != self.interval || !self.audit.go_on_with(mark.ledger) {
+            return Err(OutputError::Mark { kind: KIND });
+        }
+        self.table = Some(TableFile::resume(names.energy(), mark.position)?);
+        self.summary = mark.summary;
+        Ok(())
+    }
+
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
-        let Self { path, file, .. } = *self;
-        let part = file.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
-        Ok(vec![part.complete().map_err(OutputError::io(path))?])
+        self.table.map(TableFile::finish).into_iter().collect()
     }
 }

@@ -1,18 +1,20 @@
 //! Sums over nodes during a run: reactions, contact forces, displacements, energies.
 
-use super::{OutputError, OutputNames, ResultWriter, body_of_elements};
-use crate::{TOLERANCE, mechanics::Vec2, simulation::Simulation};
-use std::{
-    io::{BufWriter, Write},
-    path::PathBuf,
-    str::FromStr,
+use super::{
+    FilePosition, OutputError, OutputNames, ResultWriter, body_of_elements, decode, encode,
+    table_file::TableFile,
 };
-use yformat::part_file::PartFile;
+use crate::{TOLERANCE, mechanics::Vec2, simulation::Simulation};
+use serde::{Deserialize, Serialize};
+use std::{fmt, path::PathBuf, str::FromStr};
 use ypsilon_post::{
     PostError,
     selection::{Mesh, Selection},
     table::number,
 };
+
+/// What checkpoints call the table.
+const KIND: &str = "monitors";
 
 /// What is told of the nodes of a selection.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -74,7 +76,8 @@ impl MonitorQuantity {
 /// assert_eq!(monitor.quantities[1], MonitorQuantity::Reaction(1));
 /// # Ok::<(), ypsilon_post::PostError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
+#[serde(try_from = "String", into = "String")]
 pub struct Monitor {
     /// Its name in the table.
     pub name: String,
@@ -112,8 +115,34 @@ impl FromStr for Monitor {
     }
 }
 
+impl TryFrom<String> for Monitor {
+    type Error = PostError;
+
+    fn try_from(words: String) -> Result<Self, PostError> {
+        words.parse()
+    }
+}
+
+impl From<Monitor> for String {
+    fn from(monitor: Monitor) -> Self {
+        monitor.to_string()
+    }
+}
+
+impl fmt::Display for Monitor {
+    /// The words that it can be read from.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let name = |quantity: &MonitorQuantity| {
+            let entry = QUANTITIES.iter().find(|(q, ..)| q == quantity);
+            entry.map_or("", |(_, name, _)| *name)
+        };
+        let quantities: Vec<&str> = self.quantities.iter().map(name).collect();
+        write!(f, "{}={}:{}", self.name, self.selection, quantities.join(","))
+    }
+}
+
 /// What is watched during a run, and how often.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct MonitorPlan {
     /// The monitors.
     pub monitors: Vec<Monitor>,
@@ -145,12 +174,26 @@ impl MonitorPlan {
 /// Writes the table of the monitors.
 pub struct MonitorOutput {
     plan: MonitorPlan,
-    path: PathBuf,
-    file: BufWriter<PartFile>,
+    /// None until a table of an earlier run is gone on with.
+    table: Option<TableFile>,
+    chosen: Chosen,
+}
+
+/// The nodes of the monitors.
+#[derive(Debug, Clone, Default, PartialEq, Serialize, Deserialize)]
+struct Chosen {
     /// Nodes of each monitor, ascending.
     nodes: Vec<Vec<usize>>,
     /// How many nodes there were when they were chosen.
-    chosen_among: usize,
+    among: usize,
+}
+
+/// How to go on with a table of monitors.
+#[derive(Serialize, Deserialize)]
+struct MonitorMark {
+    position: FilePosition,
+    plan: MonitorPlan,
+    chosen: Chosen,
 }
 
 impl MonitorOutput {
@@ -163,23 +206,25 @@ impl MonitorOutput {
         plan: &MonitorPlan,
         simulation: &Simulation,
     ) -> Result<Self, OutputError> {
-        let nodes = choose(plan, simulation)?;
-        let path = names.monitors();
-        let part = PartFile::create(&path).map_err(OutputError::io(&path))?;
-        let mut file = BufWriter::new(part);
+        let chosen = choose(plan, simulation)?;
         let mut headings = vec!["time (s)".to_owned(), "step".to_owned()];
         for monitor in &plan.monitors {
             let name = monitor.name.replace([',', '"'], " ");
             headings.extend(monitor.quantities.iter().map(|q| format!("{name} {}", q.heading())));
         }
-        writeln!(file, "{}", headings.join(",")).map_err(OutputError::io(&path))?;
-        let chosen_among = simulation.scene().nodes.len();
-        Ok(Self { plan: plan.clone(), path, file, nodes, chosen_among })
+        let table = Some(TableFile::create(names.monitors(), &headings.join(","))?);
+        Ok(Self { plan: plan.clone(), table, chosen })
+    }
+
+    /// A table of an earlier run, to be gone on with.
+    #[must_use]
+    pub fn closed(plan: &MonitorPlan) -> Self {
+        Self { plan: plan.clone(), table: None, chosen: Chosen::default() }
     }
 
     fn line(&self, simulation: &Simulation) -> String {
         let mut line = format!("{},{}", number(simulation.time()), simulation.step_index());
-        for (monitor, nodes) in self.plan.monitors.iter().zip(&self.nodes) {
+        for (monitor, nodes) in self.plan.monitors.iter().zip(&self.chosen.nodes) {
             for &quantity in &monitor.quantities {
                 line.push(',');
                 line.push_str(&number(value(simulation, nodes, quantity)));
@@ -194,22 +239,49 @@ impl ResultWriter for MonitorOutput {
         if !simulation.step_index().is_multiple_of(self.plan.interval) {
             return Ok(());
         }
-        if simulation.scene().nodes.len() != self.chosen_among {
-            self.nodes = choose(&self.plan, simulation)?;
-            self.chosen_among = simulation.scene().nodes.len();
+        if simulation.scene().nodes.len() != self.chosen.among {
+            self.chosen = choose(&self.plan, simulation)?;
         }
         let line = self.line(simulation);
-        writeln!(self.file, "{line}").map_err(OutputError::io(&self.path))
+        self.table.as_mut().map_or(Ok(()), |table| table.line(&line))
+    }
+
+    fn kind(&self) -> &'static str {
+        KIND
+    }
+
+    fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
+        let table = self.table.as_mut().ok_or(OutputError::Mark { kind: KIND })?;
+        let position = table.mark()?;
+        let (plan, chosen) = (self.plan.clone(), self.chosen.clone());
+        encode(KIND, &MonitorMark { position, plan, chosen })
+    }
+
+    fn resume(
+        &mut self,
+        mark: &[u8],
+        names: &OutputNames,
+        simulation: &Simulation,
+    ) -> Result<(), OutputError> {
+        let mark: MonitorMark = decode(KIND, mark)?;
+        let nodes = simulation.scene().nodes.len();
+        if mark.plan != self.plan
+            || mark.chosen.nodes.len() != self.plan.monitors.len()
+            || mark.chosen.nodes.iter().flatten().any(|&node| node >= nodes)
+        {
+            return Err(OutputError::Mark { kind: KIND });
+        }
+        self.table = Some(TableFile::resume(names.monitors(), mark.position)?);
+        self.chosen = mark.chosen;
+        Ok(())
     }
 
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
-        let Self { path, file, .. } = *self;
-        let part = file.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
-        Ok(vec![part.complete().map_err(OutputError::io(path))?])
+        self.table.map(TableFile::finish).into_iter().collect()
     }
 }
 
-fn choose(plan: &MonitorPlan, simulation: &Simulation) -> Result<Vec<Vec<usize>>, OutputError> {
+fn choose(plan: &MonitorPlan, simulation: &Simulation) -> Result<Chosen, OutputError> {
     let scene = simulation.scene();
     let initial: Vec<[f64; 2]> = scene.nodes.initial.iter().map(|x| [x.x, x.y]).collect();
     let elements: Vec<usize> = simulation.triangles().collect();
@@ -229,7 +301,8 @@ fn choose(plan: &MonitorPlan, simulation: &Simulation) -> Result<Vec<Vec<usize>>
         let name = monitor.name.clone();
         monitor.selection.nodes(&mesh).map_err(|source| OutputError::Monitor { name, source })
     };
-    plan.monitors.iter().map(nodes).collect()
+    let nodes = plan.monitors.iter().map(nodes).collect::<Result<_, _>>()?;
+    Ok(Chosen { nodes, among: scene.nodes.len() })
 }
 
 fn value(simulation: &Simulation, nodes: &[usize], quantity: MonitorQuantity) -> f64 {

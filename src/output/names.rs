@@ -132,6 +132,12 @@ impl OutputNames {
         self.folder.join(format!("{}.unstable.state.txt", self.base))
     }
 
+    /// VTU file of the state just before a run became unstable; `part` is empty for the bodies.
+    #[must_use]
+    pub fn unstable_vtu(&self, part: &str) -> PathBuf {
+        self.folder.join(format!("{}{part}.unstable.vtu", self.base))
+    }
+
     /// Checkpoint just before a run became unstable.
     #[must_use]
     pub fn unstable_checkpoint(&self) -> PathBuf {

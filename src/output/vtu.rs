@@ -36,10 +36,7 @@ impl ResultWriter for VtuOutput {
         if !simulation.is_output_step() {
             return Ok(());
         }
-        let joints: Vec<JointView> = joint_views(simulation).collect();
-        let joints = (!joints.is_empty()).then(|| joint_grid(simulation, &joints));
-        let (step, time) = (simulation.step_index(), simulation.time());
-        self.0.write(step, time, body_grid(simulation), joints)
+        self.0.write(simulation.step_index(), simulation.time(), grids(simulation))
     }
 
     fn kind(&self) -> &'static str {
@@ -66,6 +63,17 @@ impl ResultWriter for VtuOutput {
 
 fn in_space(v: Vec2) -> [f64; 3] {
     [v.x, v.y, 0.0]
+}
+
+/// The blocks of a state whose forces were evaluated, each with what it adds to the names of files.
+#[must_use]
+pub fn grids(simulation: &Simulation) -> Vec<(&'static str, UnstructuredGrid)> {
+    let joints: Vec<JointView> = joint_views(simulation).collect();
+    let mut grids = vec![(vtu_series::BODIES, body_grid(simulation))];
+    if !joints.is_empty() {
+        grids.push((vtu_series::JOINTS, joint_grid(simulation, &joints)));
+    }
+    grids
 }
 
 fn vectors(name: &str, values: impl Iterator<Item = Vec2>) -> DataArray {

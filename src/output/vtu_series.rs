@@ -10,8 +10,10 @@ use ypsilon_converters::vtk::{PvdSeries, UnstructuredGrid, write_vtu};
 
 /// What `--formats` calls the files.
 pub(super) const KIND: &str = "vtu";
-/// Name of the joint block in file names.
-const JOINTS: &str = "_joints";
+/// What names of files of bodies have behind that of the deck.
+pub(super) const BODIES: &str = "";
+/// What those of joints have.
+pub(super) const JOINTS: &str = "_joints";
 
 /// A file of the series: its time, its part of the picture with number and name, its name.
 #[derive(Clone, Serialize, Deserialize)]
@@ -74,14 +76,13 @@ impl VtuSeries {
         &mut self,
         step: u64,
         time: f64,
-        bodies: UnstructuredGrid,
-        joints: Option<UnstructuredGrid>,
+        grids: Vec<(&str, UnstructuredGrid)>,
     ) -> Result<(), OutputError> {
-        let now = (step, time);
-        let mut frames = vec![self.frame(("", 0, "bodies"), now, bodies)];
-        if let Some(grid) = joints {
-            frames.push(self.frame((JOINTS, 1, "joints"), now, grid));
-        }
+        let block = |part| if part == JOINTS { (part, 1, "joints") } else { (part, 0, "bodies") };
+        let frames: Vec<Frame> = grids
+            .into_iter()
+            .map(|(part, grid)| self.frame(block(part), (step, time), grid))
+            .collect();
         let (series, pvd) = (Arc::clone(&self.series), self.names.pvd());
         self.background.submit(move || {
             let mut series = lock(&series);

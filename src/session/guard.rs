@@ -2,18 +2,20 @@
 
 use super::{
     model::{Model, ModelState},
-    run::RunError,
+    run::{RunError, Watch},
 };
 use crate::{
     output::{OutputError, OutputNames},
     simulation::{Trouble, Wrong},
     stability::Limits,
 };
+use serde::{Deserialize, Serialize};
 use std::path::PathBuf;
 use yformat::part_file::PartFile;
+use ypsilon_converters::vtk::write_vtu;
 
 /// What to do about instability.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default, Serialize, Deserialize)]
 pub enum OnInstability {
     /// Motion that is no number ends the run; what else makes no sense is said once.
     #[default]
@@ -27,12 +29,11 @@ pub enum OnInstability {
 /// Steps between two looks at the state: one look takes about a hundredth of a step.
 pub(super) const INTERVAL: u64 = 64;
 
-/// Relative error of the balance of energies beyond which a run makes no sense.
-const MOST_ENERGY_ERROR: f64 = 0.1;
-
 /// The states that a run falls back on.
 pub(super) struct Guard {
     pub mode: OnInstability,
+    /// Relative error of the balance of energies beyond which the motion makes no sense.
+    energy_limit: f64,
     /// The state at the last look, if the run may have to go back to it.
     good: Option<ModelState>,
     has_warned: bool,
@@ -49,8 +50,9 @@ pub(super) enum Verdict {
 }
 
 impl Guard {
-    pub fn new(mode: OnInstability) -> Self {
-        Self { mode, good: None, has_warned: false }
+    pub fn new(watch: &Watch) -> Self {
+        let Watch { on_instability: mode, energy_limit, .. } = *watch;
+        Self { mode, energy_limit, good: None, has_warned: false }
     }
 
     /// Remembers the state before the first step, or after a look.
@@ -58,6 +60,15 @@ impl Guard {
         if self.mode == OnInstability::Stop {
             self.good = Some(simulation.save());
         }
+    }
+
+    /// Whether a relative error of the balance of energies, which is known after every step, asks for a look.
+    pub fn wants_look(&self, energy_error: f64) -> bool {
+        !self.has_warned && self.is_off(energy_error)
+    }
+
+    fn is_off(&self, energy_error: f64) -> bool {
+        energy_error.is_nan() || energy_error.abs() > self.energy_limit
     }
 
     /// Looks at the state between two steps; `energy_error` is the relative one of the balance of
@@ -69,8 +80,7 @@ impl Guard {
         names: &OutputNames,
         end: impl FnOnce(&M, PathBuf) -> Result<(), RunError>,
     ) -> Verdict {
-        let off = energy_error.filter(|error| error.is_nan() || error.abs() > MOST_ENERGY_ERROR);
-        let off = off.map(|error| Trouble {
+        let off = energy_error.filter(|error| self.is_off(*error)).map(|error| Trouble {
             wrong: Wrong::Energy(error.abs()),
             node: None,
             element: None,
@@ -114,7 +124,7 @@ impl Guard {
             return unstable(found, &trouble, String::new(), Vec::new());
         }
         let mut first = trouble;
-        for _ in 0..=INTERVAL {
+        while simulation.step_index() < found.0 {
             before = simulation.save();
             simulation.evaluate();
             simulation.move_on();
@@ -129,22 +139,35 @@ impl Guard {
             return unstable(at, &first, String::new(), Vec::new());
         }
         let cause = cause(&simulation.limits(), dt);
-        let state = names.unstable_state();
-        let written = PartFile::create(&state)
-            .and_then(|mut file| {
-                simulation.write_state(&mut file)?;
-                file.complete()
-            })
-            .map_err(|error| RunError::from(OutputError::io(&state)(error)));
-        if let Err(error) = written {
-            return error;
+        match leave(simulation, names, end) {
+            Ok(files) => unstable(at, &first, cause, files),
+            Err(error) => error,
         }
-        let checkpoint = names.unstable_checkpoint();
-        if let Err(error) = end(simulation, checkpoint.clone()) {
-            return error;
-        }
-        unstable(at, &first, cause, vec![state, checkpoint])
     }
+}
+
+/// Writes a state as text, as a checkpoint and, with the stresses of its forces, as VTU files.
+fn leave<M: Model>(
+    simulation: &mut M,
+    names: &OutputNames,
+    end: impl FnOnce(&M, PathBuf) -> Result<(), RunError>,
+) -> Result<Vec<PathBuf>, RunError> {
+    let state = names.unstable_state();
+    PartFile::create(&state)
+        .and_then(|mut file| {
+            simulation.write_state(&mut file)?;
+            file.complete()
+        })
+        .map_err(OutputError::io(&state))?;
+    let checkpoint = names.unstable_checkpoint();
+    end(simulation, checkpoint.clone())?;
+    let mut files = vec![state, checkpoint];
+    for (part, grid) in simulation.grids() {
+        let path = names.unstable_vtu(part);
+        write_vtu(&path, &grid).map_err(OutputError::from)?;
+        files.push(path);
+    }
+    Ok(files)
 }
 
 fn unstable(

@@ -19,6 +19,7 @@ use crate::{
 use serde::{Deserialize, Serialize};
 use std::{collections::BTreeSet, io};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
+use ypsilon_converters::vtk::UnstructuredGrid;
 
 /// What a scene holds.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -120,6 +121,9 @@ pub(super) trait Model: Sized {
     /// # Errors
     /// If `output` refuses.
     fn write_state(&self, output: &mut dyn io::Write) -> io::Result<()>;
+    /// Evaluates forces and stresses of the present state: its blocks for VTU files, each with what it adds to
+    /// their names.
+    fn grids(&mut self) -> Vec<(&'static str, UnstructuredGrid)>;
     /// What is to be said about the last step, once.
     fn notice(&self) -> Option<String>;
 

@@ -18,6 +18,7 @@ use crate::{
     scene::Profile,
     simulation::{AnySimulation, SettlingFault, SettlingOptions},
 };
+use serde::{Deserialize, Serialize};
 use std::{
     io::Write as _,
     ops::Range,
@@ -58,12 +59,29 @@ pub struct RunOptions {
 }
 
 /// What is looked after during a run.
-#[derive(Debug, Clone, Default, PartialEq)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Watch {
     /// Steps between two lines of the table of energies, if there is one.
     pub energy_interval: Option<u64>,
-    /// What to do when the motion makes no sense any more.
+    /// Error of the balance of energies by the largest energy beyond which the motion makes no sense.
+    pub energy_limit: f64,
+    /// What to do when it makes no sense any more.
     pub on_instability: OnInstability,
+}
+
+impl Watch {
+    /// A tenth of the largest energy.
+    pub const ENERGY_LIMIT: f64 = 0.1;
+}
+
+impl Default for Watch {
+    fn default() -> Self {
+        Self {
+            energy_interval: None,
+            energy_limit: Self::ENERGY_LIMIT,
+            on_instability: OnInstability::default(),
+        }
+    }
 }
 
 /// Why a run failed.
@@ -247,7 +265,7 @@ fn run_model<M: Model>(
         here,
         resumed_at,
         last_checkpoint: None,
-        guard: Guard::new(options.watch.on_instability),
+        guard: Guard::new(&options.watch),
     };
     let outcome = session.run_stages(loaded, &mut simulation);
     session.complete(&simulation, outcome, &names)
@@ -437,7 +455,8 @@ impl<M: Model> Session<'_, M> {
                 writer.after_step(simulation)?;
             }
             let step = simulation.step_index();
-            if step.is_multiple_of(guard::INTERVAL) {
+            let is_off = self.energy_error().is_some_and(|error| self.guard.wants_look(error));
+            if is_off || step.is_multiple_of(guard::INTERVAL) {
                 self.look(simulation)?;
             }
             if self.checkpoints.every.is_some_and(|steps| steps > 0 && step.is_multiple_of(steps)) {
@@ -464,6 +483,7 @@ impl<M: Model> Session<'_, M> {
         let checkpoint = Checkpoint {
             settings: self.settings(),
             deck: self.print,
+            deck_file: self.deck_file(),
             position: self.position(),
             state: simulation.save(),
             marks,
@@ -473,6 +493,12 @@ impl<M: Model> Session<'_, M> {
         self.last_checkpoint = Some(step);
         self.observer.checkpoint(&path, step);
         Ok(())
+    }
+
+    /// Where the deck is, whatever folder a later run is started in.
+    fn deck_file(&self) -> String {
+        let deck = &self.options.deck;
+        std::path::absolute(deck).unwrap_or_else(|_| deck.clone()).to_string_lossy().into_owned()
     }
 
     /// What the run was asked for.
@@ -485,6 +511,8 @@ impl<M: Model> Session<'_, M> {
             profile: options.profile,
             dialect: self.checkpoints.dialect.clone(),
             spatial_contact: self.checkpoints.spatial_contact,
+            monitors: options.monitors.clone(),
+            watch: options.watch.clone(),
         }
     }
 
@@ -519,18 +547,25 @@ impl<M: Model> Session<'_, M> {
         Err(RunError::Unstable { step: progress.step, time: progress.time, energy })
     }
 
+    /// Relative error of the balance of energies, if that is watched.
+    fn energy_error(&self) -> Option<f64> {
+        let energy = self.writers.iter().find_map(|writer| writer.energy());
+        energy.map(|energy| energy.last.relative_error)
+    }
+
     /// Looks whether the motion still makes sense.
     fn look(&mut self, simulation: &mut M) -> Result<(), RunError> {
-        let energy = self.writers.iter().find_map(|writer| writer.energy());
-        let error = energy.map(|energy| energy.last.relative_error);
+        let error = self.energy_error();
         let here = simulation.step_index();
-        let mut guard = std::mem::replace(&mut self.guard, Guard::new(OnInstability::default()));
+        let mut guard = std::mem::replace(&mut self.guard, Guard::new(&Watch::default()));
         let verdict = guard.look(simulation, error, &self.names, |simulation, path| {
             let checkpoint = Checkpoint {
                 // its result files end where the run does
                 settings: RunSettings {
                     formats: Vec::new(),
                     states: Vec::new(),
+                    monitors: MonitorPlan::default(),
+                    watch: Watch::default(),
                     ..self.settings()
                 },
                 marks: Vec::new(),
@@ -541,6 +576,7 @@ impl<M: Model> Session<'_, M> {
                     Position { log: None, steps, ..position }
                 },
                 deck: self.print,
+                deck_file: self.deck_file(),
                 state: simulation.save(),
             };
             checkpoint.write(&path).map_err(|e| OutputError::io(&path)(e).into())

@@ -49,11 +49,18 @@ pub(super) fn open_writers(
         writers.push(Box::new(VtuOutput::new(names, background)));
     }
     if !options.monitors.is_empty() {
-        writers.push(Box::new(MonitorOutput::open(names, &options.monitors, simulation)?));
+        let plan = &options.monitors;
+        writers.push(Box::new(match is_resumed {
+            false => MonitorOutput::open(names, plan, simulation)?,
+            true => MonitorOutput::closed(plan),
+        }));
     }
     if let Some(interval) = options.watch.energy_interval {
         let audit = PlaneAudit::new(simulation);
-        writers.push(Box::new(EnergyOutput::open(names, audit, interval)?));
+        writers.push(Box::new(match is_resumed {
+            false => EnergyOutput::open(names, audit, interval)?,
+            true => EnergyOutput::closed(audit, interval),
+        }));
     }
     if !options.states.is_empty() {
         writers.push(Box::new(StateFileOutput::new(
@@ -92,7 +99,11 @@ pub(super) fn open_in_space(
         writers.push(Box::new(SpatialVtuOutput::new(names, background)));
     }
     if let Some(interval) = options.watch.energy_interval {
-        writers.push(Box::new(EnergyOutput::open(names, SpaceAudit::new(), interval)?));
+        let audit = SpaceAudit::new();
+        writers.push(Box::new(match is_resumed {
+            false => EnergyOutput::open(names, audit, interval)?,
+            true => EnergyOutput::closed(audit, interval),
+        }));
     }
     if !options.states.is_empty() {
         let states = options.states.iter().copied();

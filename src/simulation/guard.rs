@@ -48,7 +48,12 @@ impl fmt::Display for Trouble {
             (Wrong::NotANumber, None) => write!(f, "the motion is no number")?,
             (Wrong::TurnedOver, _) => write!(f, "an element has turned inside out")?,
             (Wrong::Energy(error), _) => {
-                write!(f, "the balance of energies is off by {:.0} %", 100.0 * error)?;
+                let percent = 100.0 * error;
+                write!(f, "the balance of energies is off by ")?;
+                match percent {
+                    ..0.1 => write!(f, "{percent:.1e} %")?,
+                    _ => write!(f, "{percent:.1} %")?,
+                }
             }
             (Wrong::Runaway { speed, wave_speed }, node) => {
                 let node = node.map_or_else(String::new, |node| format!("node {node} "));

@@ -44,7 +44,7 @@ use plan::Plan;
 pub(crate) use plan::stress_law;
 use std::ops::Range;
 
-pub use audit::{EnergyBalance, PlaneAudit, SpaceAudit};
+pub use audit::{EnergyBalance, Ledger, PlaneAudit, SpaceAudit};
 pub use classic_joints::ClassicJoints;
 pub use emission::{Emission, EmissionStage};
 pub use guard::{Trouble, Wrong};

@@ -217,15 +217,15 @@ impl Audit {
 
     fn balance(&self) -> EnergyBalance {
         match self {
-            Self::Plane(audit) => audit.balance(),
-            Self::Space(audit) => audit.balance(),
+            Self::Plane(audit) => audit.ledger().balance(),
+            Self::Space(audit) => audit.ledger().balance(),
         }
     }
 
     fn worst(&self) -> f64 {
         match self {
-            Self::Plane(audit) => audit.worst_error(),
-            Self::Space(audit) => audit.worst_error(),
+            Self::Plane(audit) => audit.ledger().worst_error(),
+            Self::Space(audit) => audit.ledger().worst_error(),
         }
     }
 }

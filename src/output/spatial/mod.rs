@@ -6,4 +6,4 @@ mod vtu;
 
 pub use bodies::body_of_tetrahedra;
 pub use d3plot::SpatialD3plotOutput;
-pub use vtu::SpatialVtuOutput;
+pub use vtu::{SpatialVtuOutput, grids as spatial_grids};

@@ -32,10 +32,7 @@ impl ResultWriter<SpatialSimulation> for SpatialVtuOutput {
         if !simulation.is_output_step() {
             return Ok(());
         }
-        let joints: Vec<FaceJointView> = face_joint_views(simulation).collect();
-        let joints = (!joints.is_empty()).then(|| joint_grid(simulation, &joints));
-        let (step, time) = (simulation.step_index(), simulation.time());
-        self.0.write(step, time, body_grid(simulation), joints)
+        self.0.write(simulation.step_index(), simulation.time(), grids(simulation))
     }
 
     fn kind(&self) -> &'static str {
@@ -58,6 +55,17 @@ impl ResultWriter<SpatialSimulation> for SpatialVtuOutput {
     fn finish(self: Box<Self>) -> Result<Vec<PathBuf>, OutputError> {
         Ok(self.0.finish())
     }
+}
+
+/// The blocks of a state whose forces were evaluated, each with what it adds to the names of files.
+#[must_use]
+pub fn grids(simulation: &SpatialSimulation) -> Vec<(&'static str, UnstructuredGrid)> {
+    let joints: Vec<FaceJointView> = face_joint_views(simulation).collect();
+    let mut grids = vec![(vtu_series::BODIES, body_grid(simulation))];
+    if !joints.is_empty() {
+        grids.push((vtu_series::JOINTS, joint_grid(simulation, &joints)));
+    }
+    grids
 }
 
 fn vectors(name: &str, values: impl Iterator<Item = Vec3>) -> DataArray {

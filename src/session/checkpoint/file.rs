@@ -12,7 +12,7 @@ use yformat::{checksum::Checksum, part_file::PartFile};
 /// First bytes of a checkpoint.
 const MAGIC: &[u8] = b"YPSILON CHECKPOINT\n";
 /// Version of the file format: to be raised with every change of what a checkpoint holds.
-pub(super) const FORMAT: u32 = 7;
+pub(super) const FORMAT: u32 = 8;
 const VERSION: &str = env!("CARGO_PKG_VERSION");
 
 impl Checkpoint {

@@ -11,15 +11,16 @@ mod file;
 pub(super) use deck_print::DeckPrint;
 pub use error::CheckpointError;
 
-use super::{Format, model::ModelState, restage::Entry, settle::SettlingSummary};
+use super::{Format, model::ModelState, restage::Entry, run::Watch, settle::SettlingSummary};
 use crate::{
-    output::FilePosition,
+    output::{FilePosition, MonitorPlan},
     scene::{Profile, SpatialContact},
 };
 use serde::{Deserialize, Serialize};
+use std::path::Path;
 
 /// What a run was asked for that a run that goes on with it is to do as well.
-#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+#[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct RunSettings {
     /// Kinds of result files.
     pub formats: Vec<Format>,
@@ -33,6 +34,10 @@ pub struct RunSettings {
     pub dialect: Option<String>,
     /// The law of contact of tetrahedra.
     pub spatial_contact: SpatialContact,
+    /// What is watched.
+    pub monitors: MonitorPlan,
+    /// What is looked after.
+    pub watch: Watch,
 }
 
 /// A run between two steps.
@@ -40,6 +45,8 @@ pub struct RunSettings {
 pub struct Checkpoint {
     pub(super) settings: RunSettings,
     pub(super) deck: DeckPrint,
+    /// Where the deck was.
+    pub(super) deck_file: String,
     pub(super) position: Position,
     pub(super) state: ModelState,
     /// What each writer needs to go on: its kind and its mark.
@@ -72,6 +79,12 @@ impl Checkpoint {
     #[must_use]
     pub fn settings(&self) -> &RunSettings {
         &self.settings
+    }
+
+    /// Where the deck of the run was, in full.
+    #[must_use]
+    pub fn deck_file(&self) -> &Path {
+        Path::new(&self.deck_file)
     }
 
     /// Index of the step that comes next.

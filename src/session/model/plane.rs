@@ -2,7 +2,7 @@ use super::{Model, ModelState, SceneSize};
 use crate::{
     contact::CoupleWork,
     insertion::CapacityError,
-    output::{Background, OutputError, OutputNames, ResultWriter, write_state},
+    output::{Background, OutputError, OutputNames, ResultWriter, grids, write_state},
     scene::{Control, Profile, SpatialContact, replay_settings, update_scene},
     session::{
         Observer, RunError, RunOptions,
@@ -17,6 +17,7 @@ use crate::{
 };
 use std::{collections::BTreeSet, io};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
+use ypsilon_converters::vtk::UnstructuredGrid;
 
 impl Model for Simulation {
     fn control(&self) -> &Control {
@@ -71,6 +72,12 @@ impl Model for Simulation {
 
     fn write_state(&self, output: &mut dyn io::Write) -> io::Result<()> {
         write_state(output, self)
+    }
+
+    fn grids(&mut self) -> Vec<(&'static str, UnstructuredGrid)> {
+        self.keep_stresses(StressUse::EveryStep);
+        self.evaluate_forces();
+        grids(self)
     }
 
     fn notice(&self) -> Option<String> {

@@ -2,7 +2,7 @@ use super::{Model, ModelState, SceneSize};
 use crate::{
     contact::CoupleWork,
     insertion::CapacityError,
-    output::{Background, OutputError, OutputNames, ResultWriter, write_spatial_state},
+    output::{Background, OutputError, OutputNames, ResultWriter, spatial_grids, write_spatial_state},
     scene::{Control, Profile, replay_settings, update_spatial_scene},
     session::{Observer, RunError, RunOptions, settle::SettlingSummary, writers::open_in_space},
     simulation::{
@@ -13,6 +13,7 @@ use crate::{
 };
 use std::{collections::BTreeSet, io};
 use yformat::{database::Database, deck::Deck, diagnostic::Diagnostic};
+use ypsilon_converters::vtk::UnstructuredGrid;
 
 impl Model for SpatialSimulation {
     fn control(&self) -> &Control {
@@ -67,6 +68,12 @@ impl Model for SpatialSimulation {
 
     fn write_state(&self, output: &mut dyn io::Write) -> io::Result<()> {
         write_spatial_state(output, self)
+    }
+
+    fn grids(&mut self) -> Vec<(&'static str, UnstructuredGrid)> {
+        self.keep_stresses(StressUse::EveryStep);
+        self.evaluate_forces();
+        spatial_grids(self)
     }
 
     /// The original says so of every such element in every step; here the first is named.

@@ -111,7 +111,7 @@ pub(super) enum Origin {
 pub(super) const ORIGINS: usize = 6;
 
 /// What a state stores, as it is computed from the state.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, Serialize, Deserialize)]
 struct Stored {
     /// None where there is no formula: then it is what forces have taken.
     strain: Option<f64>,
@@ -120,13 +120,17 @@ struct Stored {
     friction: f64,
 }
 
-/// Forces of the last instant and works since the first.
-#[derive(Debug, Clone)]
-struct Ledger<const D: usize> {
+/// Forces of the last instant and works since the first: all that an audit needs to go on.
+#[derive(Debug, Clone, Serialize, Deserialize)]
+pub struct Ledger<const D: usize> {
     place: Vec<SVector<f64, D>>,
-    velocity: Vec<SVector<f64, D>>,
     forces: [Vec<SVector<f64, D>>; ORIGINS],
+    // of use between the two looks of a step
+    #[serde(skip)]
+    velocity: Vec<SVector<f64, D>>,
+    #[serde(skip)]
     before: [Vec<SVector<f64, D>>; ORIGINS],
+    #[serde(skip)]
     place_before: Vec<SVector<f64, D>>,
     work: [f64; ORIGINS],
     first: Option<(Stored, f64)>,
@@ -151,6 +155,23 @@ impl<const D: usize> Ledger<D> {
             balance: EnergyBalance::default(),
             worst: 0.0,
         }
+    }
+
+    /// The balance of the last state looked at.
+    #[must_use]
+    pub fn balance(&self) -> EnergyBalance {
+        self.balance
+    }
+
+    /// Largest relative error so far, without its sign.
+    #[must_use]
+    pub fn worst_error(&self) -> f64 {
+        self.worst
+    }
+
+    /// Whether every node has a place and a force of each origin.
+    fn is_whole(&self) -> bool {
+        self.forces.iter().all(|forces| forces.len() == self.place.len())
     }
 
     /// Takes over a state with its forces, before it moves. `fill` adds forces of all origins but

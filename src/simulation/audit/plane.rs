@@ -5,7 +5,7 @@ use super::{
         Simulation,
         extra_loads::{ExtraLoads, LoadedTriangle},
     },
-    EnergyBalance, Ledger, Origin, Stored, joint_energy, overlap_energy, strain,
+    Ledger, Origin, Stored, joint_energy, overlap_energy, strain,
 };
 use crate::{
     contact::{Couple, EdgeContact, Motion, PairTable, Shape, SideForces, TangentialLaw, overlap},
@@ -96,16 +96,17 @@ impl PlaneAudit {
         self.ledger.close(&scene.nodes.velocity, &simulation.mass, scene.control.time_step);
     }
 
-    /// The balance of the last state looked at.
+    /// Energies and works so far.
     #[must_use]
-    pub fn balance(&self) -> EnergyBalance {
-        self.ledger.balance
+    pub fn ledger(&self) -> &Ledger<2> {
+        &self.ledger
     }
 
-    /// Largest relative error so far, without its sign.
+    /// Goes on with the works of an earlier audit of the same run; false if they are not complete.
     #[must_use]
-    pub fn worst_error(&self) -> f64 {
-        self.ledger.worst
+    pub fn go_on_with(&mut self, ledger: Ledger<2>) -> bool {
+        self.ledger = ledger;
+        self.ledger.is_whole()
     }
 }
 

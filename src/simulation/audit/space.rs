@@ -1,6 +1,6 @@
 //! The audit of a simulation of tetrahedra.
 
-use super::{super::spatial::SpatialSimulation, EnergyBalance, Ledger, Stored, joint_energy};
+use super::{super::spatial::SpatialSimulation, Ledger, Stored, joint_energy};
 
 /// Energies and works of a simulation in space.
 ///
@@ -39,16 +39,17 @@ impl SpaceAudit {
         self.ledger.close(&scene.nodes.velocity, simulation.masses(), scene.control.time_step);
     }
 
-    /// The balance of the last state looked at.
+    /// Energies and works so far.
     #[must_use]
-    pub fn balance(&self) -> EnergyBalance {
-        self.ledger.balance
+    pub fn ledger(&self) -> &Ledger<3> {
+        &self.ledger
     }
 
-    /// Largest relative error so far, without its sign.
+    /// Goes on with the works of an earlier audit of the same run; false if they are not complete.
     #[must_use]
-    pub fn worst_error(&self) -> f64 {
-        self.ledger.worst
+    pub fn go_on_with(&mut self, ledger: Ledger<3>) -> bool {
+        self.ledger = ledger;
+        self.ledger.is_whole()
     }
 }
 
