@@ -77,7 +77,11 @@ fn an_interrupted_run_goes_on_where_it_stopped() {
     signal(&child, "-INT");
     let output = child.wait_with_output().expect("the program ends");
     assert_eq!(output.status.code(), Some(130));
-    assert!(stdout(&output).contains("with `ypsilon resume ./deck.checkpoint`"), "{}", stdout(&output));
+    assert!(
+        stdout(&output).contains("with `ypsilon resume ./deck.checkpoint`"),
+        "{}",
+        stdout(&output)
+    );
     // formats are those of the first part
     let output = run(&stopped, &["deck.y", "--resume"]);
     assert_eq!(output.status.code(), Some(0), "{}", stderr(&output));
@@ -269,7 +273,10 @@ fn a_folder_without_or_with_several_checkpoints_is_refused() {
     };
     let (exit, said) = code(&["resume", "."]);
     assert_eq!(exit, Some(1));
-    assert!(said.contains("there is no checkpoint in .: runs write one with --checkpoint"), "{said}");
+    assert!(
+        said.contains("there is no checkpoint in .: runs write one with --checkpoint"),
+        "{said}"
+    );
     let (exit, said) = code(&["resume", "nowhere"]);
     assert_eq!(exit, Some(1));
     assert!(said.contains("cannot read the checkpoint nowhere"), "{said}");

@@ -85,16 +85,11 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
     let loaded = load(&deck, None, Profile::Source, SolverOptions::default())
         .map_err(|fault| format!("{fault:?}"))?;
     let options = RunOptions {
-        deck,
-        folder: out.path().to_path_buf(),
         formats: vec![Format::D3plot, Format::Yh],
         states: steps.clone(),
-        steps: None,
         legacy_d3plot: true,
-        monitors: Default::default(),
-        watch: Default::default(),
         profile: Profile::Source,
-        settling: None,
+        ..RunOptions::new(deck, out.path())
     };
     run(loaded, &options, &mut Silent)?;
     for step in steps {

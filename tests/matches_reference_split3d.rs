@@ -95,16 +95,11 @@ fn check_case(name: &str, folder: &Path, tally: &Tally) -> Result<(), Failed> {
         .map_err(|fault| format!("{fault:?}"))?;
     let base = deck.file_stem().unwrap_or_default().to_string_lossy().into_owned();
     let options = RunOptions {
-        deck,
-        folder: out.path().to_path_buf(),
         formats: vec![Format::D3plot, Format::Yh],
         states: steps.clone(),
-        steps: None,
         legacy_d3plot: true,
-        monitors: Default::default(),
-        watch: Default::default(),
         profile,
-        settling: None,
+        ..RunOptions::new(deck, out.path())
     };
     run(loaded, &options, &mut Silent)?;
     for step in steps {

@@ -46,16 +46,10 @@ fn load_and_run(path: &Path, dialect: Option<Dialect>) -> bool {
     };
     let runs = loaded.simulation.is_some();
     let options = RunOptions {
-        deck: path.to_path_buf(),
-        folder: path.with_file_name("out"),
         formats: vec![Format::Native, Format::D3plot, Format::Yh, Format::Vtu, Format::Json],
         states: vec![0, 1, 3],
         steps: Some(3),
-        legacy_d3plot: false,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::default(),
-        settling: None,
+        ..RunOptions::new(path, path.with_file_name("out"))
     };
     // motion may become unstable and later stages may be wrong: that is no panic
     let _ = run(loaded, &options, &mut Silent);

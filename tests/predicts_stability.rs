@@ -3,7 +3,10 @@
 
 mod support;
 
-use support::stability_scenes::{Body, Moving};
+use support::{
+    dialect_scenes::{free_cube_of_ten_nodes, left_alone},
+    stability_scenes::{Body, Moving},
+};
 use ypsilon::stability::{Part, Share};
 
 /// Manual's critical damping of an element of size 1: 2 h √(E ρ).
@@ -16,6 +19,20 @@ fn at_rest(body: &Body, steps: usize) -> Moving {
     moving.run(0.3 * limits.critical_s.min(limits.impact_s), steps);
     moving
 }
+
+/// Decks of the other dialects, and elements that only they have.
+const DECKS: [(&str, &str); 10] = [
+    ("classic: a damped triangle", "classic/b_elastic_damped/b_elastic_damped.y"),
+    ("classic: two triangles and a joint", "classic/g_joint_pair/g_joint_pair.y"),
+    ("classic: jointed wall", "classic/j_wall_jointed_mono/j_wall_jointed_mono.y"),
+    ("Y-Geo: two triangles and a joint", "ygeo/g_joint_pair/g_joint_pair.y"),
+    ("Y-Geo: plane stress", "ygeo/y_planestress/y_planestress.y"),
+    ("Y-Geo: dry wall", "ygeo/j_wall_dry/j_wall_dry.y"),
+    (".Y3D: cube of tetrahedra", "y3d/03_cube12_uniaxial_p100.Y3D"),
+    (".Y3D: two tetrahedra and a joint", "y3d/12_joint_pair.Y3D"),
+    (".Y3D: damped tetrahedron", "y3d/10_damping_1020.Y3D"),
+    (".Y3D: tetrahedron of ten nodes", "y3d/11_one_tet10.Y3D"),
+];
 
 fn scenes() -> Vec<(String, Moving)> {
     let mut scenes = Vec::new();
@@ -78,6 +95,10 @@ fn scenes() -> Vec<(String, Moving)> {
         let pulled = Body { load: 20.0, ..wall };
         add(&format!("jointed wall, pulled, {name} contact"), at_rest(&pulled, 60_000));
     }
+    for (name, deck) in DECKS {
+        add(name, left_alone(deck));
+    }
+    add(".Y3D: cube of tetrahedra of ten nodes", free_cube_of_ten_nodes());
     scenes
 }
 

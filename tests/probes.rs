@@ -136,16 +136,9 @@ fn results(name: &str) -> BTreeMap<String, Vec<u8>> {
     let loaded = load_probe(name).unwrap_or_else(|fault| panic!("{name}: {fault:?}"));
     let folder = TempDir::new().expect("a temporary folder");
     let options = RunOptions {
-        deck: deck(name),
-        folder: folder.path().to_path_buf(),
         formats: vec![Format::D3plot, Format::Yh],
-        states: Vec::new(),
-        steps: None,
         legacy_d3plot: true,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::Windows,
-        settling: None,
+        ..RunOptions::new(deck(name), folder.path())
     };
     run(loaded, &options, &mut Silent).unwrap_or_else(|error| panic!("{name}: {error}"));
     let entries = fs::read_dir(&folder).expect("the results").flatten();

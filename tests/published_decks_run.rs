@@ -73,16 +73,9 @@ fn published_decks_run() {
         let loaded = load(&deck, None, Profile::default(), SolverOptions::default());
         let loaded = loaded.unwrap_or_else(|fault| panic!("{name}: {fault:?}"));
         let options = RunOptions {
-            deck,
-            folder: folder.path().to_path_buf(),
             formats: vec![Format::Native, Format::Vtu],
-            states: Vec::new(),
             steps: Some(STEPS),
-            legacy_d3plot: false,
-            monitors: Default::default(),
-            watch: Default::default(),
-            profile: Profile::default(),
-            settling: None,
+            ..RunOptions::new(deck, folder.path())
         };
         let unstable = UNSTABLE.contains(&name.as_str());
         match run(loaded, &options, &mut Silent) {

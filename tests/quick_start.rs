@@ -12,7 +12,8 @@ const LARGEST_COMPRESSION: f64 = 0.43e6;
 /// Commands of the numbered steps, without those that get the program.
 fn commands() -> Vec<&'static str> {
     let steps = TEXT.split("## Look at it with other programs").next().expect("the steps");
-    let blocks = steps.split("```sh\n").skip(1).map(|rest| rest.split("```").next().expect("an end"));
+    let blocks =
+        steps.split("```sh\n").skip(1).map(|rest| rest.split("```").next().expect("an end"));
     let lines = blocks.flat_map(str::lines);
     lines.filter(|line| line.starts_with("ypsilon ")).collect()
 }
@@ -34,7 +35,8 @@ impl Desk {
         let mut command = Command::new("sh");
         let output = command.args(["-c", line]).current_dir(&self.0).env("PATH", path).output();
         let output = output.expect("a shell");
-        let said = String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
+        let said =
+            String::from_utf8_lossy(&output.stdout) + String::from_utf8_lossy(&output.stderr);
         (output.status.code().expect("an exit code"), said.into_owned())
     }
 

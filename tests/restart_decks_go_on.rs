@@ -17,16 +17,9 @@ use ypsilon::{
 fn state(deck: &Path, folder: &Path, steps: u64) -> StateFile {
     let loaded = load(deck, None, Profile::default(), SolverOptions::default()).expect("a deck");
     let options = RunOptions {
-        deck: deck.to_path_buf(),
-        folder: folder.to_path_buf(),
         formats: vec![Format::Native],
         states: vec![steps],
-        steps: None,
-        legacy_d3plot: false,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::default(),
-        settling: None,
+        ..RunOptions::new(deck, folder)
     };
     run(loaded, &options, &mut Silent).expect("a stable run");
     let name = deck.file_stem().unwrap_or_default().to_string_lossy().into_owned();

@@ -200,16 +200,10 @@ impl Runner {
     fn run(&self, steps: Option<u64>, checkpoints: Checkpoints) -> Result<RunSummary, RunError> {
         let loaded = load(&self.deck, None, Profile::default(), SolverOptions::default());
         let options = RunOptions {
-            deck: self.deck.clone(),
-            folder: self.out(),
             formats: self.formats.clone(),
             states: vec![2, 40, 110, 111, 200, 260],
             steps,
-            legacy_d3plot: false,
-            monitors: Default::default(),
-            watch: Default::default(),
-            profile: Profile::default(),
-            settling: None,
+            ..RunOptions::new(self.deck.clone(), self.out())
         };
         run_with(loaded.expect("a sound deck"), &options, checkpoints, &mut Silent)
     }

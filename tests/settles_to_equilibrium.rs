@@ -304,16 +304,10 @@ impl Folder {
 
     fn options(&self, steps: u64) -> RunOptions {
         RunOptions {
-            deck: self.0.path().join("deck.y"),
-            folder: self.0.path().to_path_buf(),
             formats: vec![Format::Json],
             states: vec![0, 40],
             steps: Some(steps),
-            legacy_d3plot: false,
-            monitors: Default::default(),
-            watch: Default::default(),
-            profile: Profile::default(),
-            settling: None,
+            ..RunOptions::new(self.0.path().join("deck.y"), self.0.path())
         }
     }
 

@@ -166,16 +166,10 @@ fn a_state_of_another_scene_is_refused() {
 
 fn options(deck: &Path, folder: &Path, steps: Option<u64>) -> RunOptions {
     RunOptions {
-        deck: deck.to_path_buf(),
-        folder: folder.to_path_buf(),
         formats: vec![Format::D3plot, Format::Yh, Format::Vtu],
         states: vec![30, 90],
         steps,
-        legacy_d3plot: false,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::default(),
-        settling: None,
+        ..RunOptions::new(deck, folder)
     }
 }
 

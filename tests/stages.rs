@@ -58,16 +58,10 @@ impl Run {
         let path = write(folder.path(), "deck.y", deck.as_bytes());
         let loaded = load(&path, None, Profile::default(), SolverOptions::default());
         let options = RunOptions {
-            deck: path,
-            folder: folder.path().to_path_buf(),
             formats: vec![Format::D3plot, Format::Yh],
             states: states.to_vec(),
-            steps: None,
             legacy_d3plot: true,
-            monitors: Default::default(),
-            watch: Default::default(),
-            profile: Profile::default(),
-            settling: None,
+            ..RunOptions::new(path, folder.path())
         };
         let mut said = Said::default();
         let outcome = run(loaded.expect("a sound first stage"), &options, &mut said);

@@ -400,16 +400,9 @@ fn ten_node_tetrahedra_are_written_as_such() {
     let deck = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/y3d/11_one_tet10.Y3D");
     let loaded = load(&deck, None, Profile::default(), SolverOptions::default());
     let options = RunOptions {
-        deck,
-        folder: folder.path().to_path_buf(),
         formats: vec![Format::Native],
         states: vec![1],
-        steps: None,
-        legacy_d3plot: false,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::default(),
-        settling: None,
+        ..RunOptions::new(deck, folder.path())
     };
     session::run(loaded.expect("a sound deck"), &options, &mut Silent).expect("a run");
     let mut names: Vec<String> = fs::read_dir(folder.path())

@@ -201,16 +201,9 @@ impl Bench {
         let mut formats = formats.to_vec();
         formats.push(Format::Json);
         let options = RunOptions {
-            deck: deck.clone(),
-            folder: self.work.join(name),
             formats,
-            states: Vec::new(),
-            steps: None,
-            legacy_d3plot: false,
             monitors: session::monitors(scenario, &deck)?,
-            watch: Default::default(),
-            profile: Profile::default(),
-            settling: None,
+            ..RunOptions::new(deck.clone(), self.work.join(name))
         };
         let summary = session::run_with(loaded, &options, Checkpoints::default(), &mut Silent)
             .map_err(Box::new)?;

@@ -74,16 +74,9 @@ pub fn work(work: &Work, team: Team) -> Result<Measurement, BenchError> {
         }
     };
     let options = RunOptions {
-        deck: work.deck.clone(),
-        folder: work.folder.clone(),
         formats: vec![Format::Native],
-        states: Vec::new(),
         steps: work.steps,
-        legacy_d3plot: false,
-        settling: None,
-        monitors: MonitorPlan::default(),
-        watch: Default::default(),
-        profile: Profile::default(),
+        ..RunOptions::new(work.deck.clone(), work.folder.clone())
     };
     let summary = run(loaded, &options, &mut Silent)?;
     Ok(Measurement {

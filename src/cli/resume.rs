@@ -59,7 +59,9 @@ enum Fault {
     Several { folder: PathBuf, found: Vec<PathBuf> },
     #[error(transparent)]
     Checkpoint(#[from] CheckpointError),
-    #[error("the deck of the checkpoint was {deck}, which is not there any more: say with --deck where it is now")]
+    #[error(
+        "the deck of the checkpoint was {deck}, which is not there any more: say with --deck where it is now"
+    )]
     Deck { deck: PathBuf },
 }
 

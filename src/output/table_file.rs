@@ -24,7 +24,8 @@ impl TableFile {
 
     /// Goes on with a table of an earlier run.
     pub fn resume(path: PathBuf, position: FilePosition) -> Result<Self, OutputError> {
-        let part = PartFile::resume(&path, &position.into()).map_err(OutputError::changed(&path))?;
+        let part =
+            PartFile::resume(&path, &position.into()).map_err(OutputError::changed(&path))?;
         Ok(Self { path, file: BufWriter::new(part) })
     }
 

@@ -58,6 +58,25 @@ pub struct RunOptions {
     pub settling: Option<SettlingOptions>,
 }
 
+impl RunOptions {
+    /// A run of a deck to its end, whose results lie in a folder: what the original writes, and VTU files.
+    #[must_use]
+    pub fn new(deck: impl Into<PathBuf>, folder: impl Into<PathBuf>) -> Self {
+        Self {
+            deck: deck.into(),
+            folder: folder.into(),
+            formats: vec![Format::Native, Format::Vtu],
+            states: Vec::new(),
+            steps: None,
+            legacy_d3plot: false,
+            monitors: MonitorPlan::default(),
+            watch: Watch::default(),
+            profile: Profile::default(),
+            settling: None,
+        }
+    }
+}
+
 /// What is looked after during a run.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Watch {

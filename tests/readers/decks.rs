@@ -95,15 +95,8 @@ pub(super) fn step(simulation: &mut AnySimulation, steps: u64) {
 /// A run of a few steps without result files but the log.
 pub(super) fn run_options(folder: &Path) -> RunOptions {
     RunOptions {
-        deck: folder.join("deck.y"),
-        folder: folder.to_path_buf(),
         formats: Vec::new(),
-        states: Vec::new(),
         steps: Some(STEPS),
-        legacy_d3plot: false,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::default(),
-        settling: None,
+        ..RunOptions::new(folder.join("deck.y"), folder)
     }
 }

@@ -3,6 +3,7 @@
 
 pub mod child;
 pub mod dialect_cases;
+pub mod dialect_scenes;
 pub mod dump;
 pub mod grid_deck;
 pub mod largest_allocation;

@@ -31,18 +31,7 @@ fn check_files(name: &str, folder: &Path, comparison: Comparison) -> Result<(), 
     let deck = folder.join(format!("{name}.y"));
     let loaded = load(&deck, None, Profile::Windows, SolverOptions::default())
         .map_err(|fault| format!("{fault:?}"))?;
-    let options = RunOptions {
-        deck,
-        folder: out.path().to_path_buf(),
-        formats: vec![Format::Native],
-        states: Vec::new(),
-        steps: None,
-        legacy_d3plot: false,
-        monitors: Default::default(),
-        watch: Default::default(),
-        profile: Profile::Windows,
-        settling: None,
-    };
+    let options = RunOptions { formats: vec![Format::Native], ..RunOptions::new(deck, out.path()) };
     run(loaded, &options, &mut Silent)?;
     let mut reports = Vec::new();
     let mut compared = 0;

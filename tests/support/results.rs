@@ -19,16 +19,9 @@ pub fn results(deck: &Deck, monitors: &[&str], interval: u64) -> TempDir {
         .unwrap_or_else(|fault| panic!("{fault:?}"));
     let monitors: Vec<Monitor> = monitors.iter().map(|m| m.parse().expect("a monitor")).collect();
     let options = RunOptions {
-        deck: path,
-        folder: folder.path().to_path_buf(),
         formats: vec![Format::Vtu, Format::D3plot],
-        states: Vec::new(),
-        steps: None,
-        legacy_d3plot: false,
         monitors: MonitorPlan { monitors, interval },
-        watch: Default::default(),
-        profile: Profile::Windows,
-        settling: None,
+        ..RunOptions::new(path, folder.path())
     };
     run(loaded, &options, &mut Silent).expect("a run");
     folder

@@ -10,6 +10,7 @@ use ypsilon::{
     simulation::{Simulation, SpatialSimulation},
     stability::Limits,
 };
+use ypsilon_converters::dialects::convert_deck;
 
 /// Young's modulus and density unless a scene says otherwise: an elastic wave takes about a second
 /// for a metre.
@@ -21,6 +22,8 @@ const POISSON: f64 = 0.2;
 #[derive(Debug, Clone)]
 pub struct Body {
     pub dimension: usize,
+    /// Dialect of its deck.
+    pub dialect: Dialect,
     pub coordinates: Vec<f64>,
     /// Velocities at the start; none if all nodes are at rest.
     pub velocities: Vec<f64>,
@@ -55,6 +58,7 @@ impl Body {
     pub fn new(dimension: usize) -> Self {
         Self {
             dimension,
+            dialect: Dialect::Split,
             coordinates: Vec::new(),
             velocities: Vec::new(),
             sets: Vec::new(),
@@ -254,7 +258,11 @@ impl Body {
                 .integer("YDPM/MPMROW", 1)
                 .integers2("YDPM/I2PMIJ", 3, vec![0, 0, 0]);
         }
-        deck.run().stop().build()
+        let deck = deck.run().stop().build();
+        match self.dialect {
+            Dialect::Split => deck,
+            other => convert_deck(&deck, other).expect("a deck of that dialect").deck,
+        }
     }
 
     /// The simulation, meshed, at its start.

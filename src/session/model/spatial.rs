@@ -2,7 +2,9 @@ use super::{Model, ModelState, SceneSize};
 use crate::{
     contact::CoupleWork,
     insertion::CapacityError,
-    output::{Background, OutputError, OutputNames, ResultWriter, spatial_grids, write_spatial_state},
+    output::{
+        Background, OutputError, OutputNames, ResultWriter, spatial_grids, write_spatial_state,
+    },
     scene::{Control, Profile, replay_settings, update_spatial_scene},
     session::{Observer, RunError, RunOptions, settle::SettlingSummary, writers::open_in_space},
     simulation::{
