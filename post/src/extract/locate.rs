@@ -47,6 +47,10 @@ impl<'a, const D: usize, const C: usize> Locator<'a, D, C> {
         let mut locator = Self { elements, points, cell, origin, cells, large };
         for (index, &element) in elements.iter().enumerate() {
             let Ok([low, high]) = bounds(&Frame::corners(element, points)) else { continue };
+            // as far as a point may lie outside
+            let widest = minus(high, low).into_iter().fold(0.0, f64::max);
+            let reach = C as f64 * TOLERANCE * widest;
+            let (low, high) = (low.map(|x| x - reach), high.map(|x| x + reach));
             let (low, high) = (locator.cell_of(low), locator.cell_of(high));
             let counts: [i64; D] =
                 std::array::from_fn(|axis| high[axis].saturating_sub(low[axis]).saturating_add(1));
@@ -136,6 +140,19 @@ mod tests {
         assert_eq!(locator.find([2.0, 1.0]).map(|l| l.element), Some(0));
         assert_eq!(locator.find([2.1, 0.5]), None);
         assert_eq!(locator.find([f64::NAN, 0.5]), None);
+    }
+
+    #[test]
+    fn points_on_the_outline_are_found_in_spite_of_rounding() {
+        // two squares; the right side of the first lies a rounding short of 1, where the cells of
+        // the search meet
+        let end = 1.0 - f64::EPSILON / 2.0;
+        let square = |left: f64, right: f64| [[left, 0.0], [right, 0.0], [right, 1.0], [left, 1.0]];
+        let points = [square(0.0, end), square(1.5, 2.0)].concat();
+        let triangles = [[0, 1, 2], [0, 2, 3], [4, 5, 6], [4, 6, 7]];
+        let locator = Locator::new(&triangles, &points);
+        assert_eq!(locator.find([1.0, 0.5]).map(|l| l.element), Some(0));
+        assert_eq!(locator.find([1.0 + 1e-6, 0.5]), None);
     }
 
     #[test]
