@@ -11,6 +11,7 @@ use std::{
     time::SystemTime,
 };
 use support::{
+    block_deck::{DENSITY, LAMBDA, block, lengths},
     child::{command, signal, start, wait_until},
     spoilt_deck::{base, edited, write},
 };
@@ -218,6 +219,93 @@ fn scenarios_are_varied_by_the_names_of_their_parameters() {
     assert!(foot[0] != foot[2] && foot[1] != foot[3], "{foot:?}");
     let scenario = text(&folder, "study/case-0004/cubes.toml");
     assert!(scenario.contains("blocks = 3") && scenario.contains("young_pa = 2000000000.0"));
+}
+
+#[test]
+fn decks_of_tetrahedra_have_all_outputs() {
+    const STRETCH: [f64; 3] = [0.99, 1.001, 1.002];
+    let outputs = "\
+        [outputs.stress]\nwhat = 'history'\nfield = 'szz'\npoint = [0.21, 0.13, 0.08]\n\
+        [outputs.corner]\nwhat = 'history'\nfield = 'uz'\nnearest = [0.4, 0.2, 0.21]\nat = 'start'\n\
+        [outputs.node]\nwhat = 'history'\nfield = 'vz'\nnode = 3\n\
+        [outputs.place]\nwhat = 'extremes'\nfield = 'uz'\ncolumn = 'z of max'\nat = 'start'\n\
+        [outputs.push]\nwhat = 'reaction'\nnodes = 'box:0.399:,,'\ndirection = 'x'\nat = 'start'\n\
+        [outputs.up]\nwhat = 'mean-displacement'\nnodes = 'line:0,0,0.2,0.4,0,0.2'\n\
+        direction = 'z'\nat = 'start'\n\
+        [outputs.kinetic]\nwhat = 'energy'\n";
+    let study = format!(
+        "base = 'deck.y'\n[parameters.shear]\ntarget = 'D1PEMU[0]'\nvalues = [1e8, 3e8]\n{outputs}"
+    );
+    let folder = folder(&study);
+    let stretched = |x: [f64; 3]| std::array::from_fn(|axis| STRETCH[axis] * x[axis]);
+    let deck = block(stretched, [0.0, 0.0, 5.0], 3, 1).to_text();
+    write(folder.path(), "deck.y", deck.as_bytes());
+    ends(&folder, &["sweep", "study.toml", "--quiet"], 0);
+    let found = table(&folder, "study/results.csv");
+    let near = |found: f64, expected: f64| {
+        assert!((found / expected - 1.0).abs() < 1e-9, "{found}, expected {expected}");
+    };
+    let [length, width, height] = lengths();
+    let j: f64 = STRETCH.iter().product();
+    for (case, mu) in [1e8, 3e8].into_iter().enumerate() {
+        let stress =
+            |axis: usize| mu / j * (STRETCH[axis].powi(2) - 1.0) + 0.5 * LAMBDA * (j - 1.0 / j);
+        let at = |heading: &str| column(&found, heading)[case];
+        near(at("stress (Pa)"), stress(2));
+        near(at("push (N)"), stress(0) * STRETCH[1] * width * STRETCH[2] * height);
+        near(at("corner (m)"), 0.002 * height);
+        near(at("up (m)"), 0.002 * height);
+        near(at("place (m)"), 1.002 * height);
+        near(at("node (m/s)"), 5.0);
+        near(at("kinetic (J)"), 0.5 * DENSITY * length * width * height * 25.0);
+    }
+
+    // what is meant for the plane
+    for (wrong, message) in [
+        (
+            "what = 'history'\nfield = 'szz'\npoint = [0.21, 0.13]\n",
+            "output `o`: the point 0.21,0.13 has 2 coordinates, but the results are of bodies in \
+             space; expected X,Y,Z",
+        ),
+        (
+            "what = 'reaction'\ndirection = 'x'\nnodes = 'box:,:0.01'\n",
+            "output `o`: the selection box::,:0.01 does not fit results of bodies in space; \
+             expected box:X0:X1,Y0:Y1,Z0:Z1",
+        ),
+        (
+            "what = 'monitors'\ncolumn = 'foot'\n",
+            "output `o`: monitors are sums over bodies in the plane: take `reaction`, \
+             `mean-displacement` or `energy`",
+        ),
+    ] {
+        let wrong = study.replace(outputs, &format!("[outputs.o]\n{wrong}"));
+        write(folder.path(), "study.toml", wrong.as_bytes());
+        let said = ends(&folder, &["sweep", "study.toml", "--quiet", "--out", "wrong"], 1);
+        assert!(said.contains(message), "{said}");
+        assert!(!folder.path().join("wrong").exists(), "nothing is run");
+    }
+}
+
+#[test]
+fn outputs_of_space_are_none_of_the_plane() {
+    for (output, message) in [
+        (
+            "what = 'reaction'\nnodes = 'all'\ndirection = 'z'",
+            "output `o`: there is no direction z; expected x or y",
+        ),
+        (
+            "what = 'history'\nnode = 0\nfield = 'uz'",
+            "output `o`: bodies in the plane have no field uz; expected u, ux, uy",
+        ),
+    ] {
+        let folder = folder(&format!(
+            "base = 'deck.y'\n[parameters.density]\ntarget = 'D1PERO[0]'\nvalues = [2000]\n\
+             [outputs.o]\n{output}\n"
+        ));
+        let said = ends(&folder, &["sweep", "study.toml", "--quiet"], 1);
+        assert!(said.contains(message) && said.contains("study.toml:5"), "{said}");
+        assert!(!folder.path().join("study").exists(), "nothing is run");
+    }
 }
 
 #[test]
@@ -534,7 +622,8 @@ fn bad_studies_are_refused_with_the_line() {
         ("no such method", "title = \"two triangles\"", "sampling = { method = 'random' }"),
         ("half a step", "/YD/YDPE/D1PEFR[0]", "MCSTEP"),
         ("no such output", "what = \"energy\"", "what = \"work\""),
-        ("no such field", "field = \"ux\"", "field = \"uz\""),
+        ("no such field", "field = \"ux\"", "field = \"ur\""),
+        ("a field of bodies in space", "field = \"ux\"", "field = \"uz\""),
         ("no place", "node = 1\n", ""),
         ("two columns of one name", "[outputs.steps]", "[outputs.friction]"),
         (

@@ -1,5 +1,7 @@
 //! `ypsilon extract` and the monitors against values computed by hand.
 
+#[path = "extracts/space.rs"]
+mod space;
 mod support;
 
 use assert_cmd::Command;
@@ -9,6 +11,7 @@ use support::{
     results::results,
 };
 use ypsilon_post::{
+    Point,
     extract::{
         self, Place, along, energy, extremes, force_displacement, histories, joint_counts, top_line,
     },
@@ -56,7 +59,7 @@ fn a_linear_displacement_has_constant_stress_and_straight_lines() {
     let mut vtu = Results::open(&folder.path().join("plate.pvd")).expect("a series");
     let ([xx, yy, xy], density) = by_hand();
 
-    let path = extract::Path::Line([[0.01, 0.02], [0.39, 0.37]]);
+    let path = extract::Path::Line([Point::Plane([0.01, 0.02]), Point::Plane([0.39, 0.37])]);
     let fields = [Field::StressXx, Field::StressYy, Field::StressXy, Field::DisplacementX];
     let line = along(&mut vtu, &path, 50, &fields, &[FrameChoice::Last]).expect("a table");
     assert_eq!(line.rows.len(), 50);
@@ -105,7 +108,7 @@ fn reactions_carry_the_load() {
     assert!(sideways.abs() < 1e-6 * LOAD, "reaction x: {sideways}");
 
     // σyy = −p and σxx = 0 everywhere
-    let path = extract::Path::Line([[0.05, 0.21], [0.39, 0.21]]);
+    let path = extract::Path::Line([Point::Plane([0.05, 0.21]), Point::Plane([0.39, 0.21])]);
     let fields = [Field::StressYy, Field::StressXx, Field::VonMisesInPlane];
     let line = along(&mut vtu, &path, 20, &fields, &[FrameChoice::Last]).expect("a table");
     let pressure = LOAD / SIDE;
@@ -119,7 +122,7 @@ fn reactions_carry_the_load() {
     let least = value(&extreme, last, "min uy");
     let place = value(&extreme, last, "y of min uy");
     assert!(least < 0.0 && (place - SIDE - least).abs() < 1e-12, "{least} at {place}");
-    let places = [Place::Node(node(2, CELLS)), Place::Point([0.2, SIDE])];
+    let places = [Place::Node(node(2, CELLS)), Place::Point(Point::Plane([0.2, SIDE]))];
     let history = histories(&mut vtu, &places, &[Field::DisplacementY]).expect("a table");
     assert_eq!(history.rows[last][1], history.rows[last][2]);
     near(history.rows[last][1], value(&pushed, last, "mean displacement uy"), 1e-3, "top");
@@ -147,7 +150,7 @@ fn d3plot_families_tell_the_same_in_single_precision() {
     let folder = results(&plate(Case::LinearDisplacement, 2), &[], 1);
     let mut family = Results::open(&folder.path().join("plate")).expect("a family");
     let ([xx, ..], _) = by_hand();
-    let path = extract::Path::Line([[0.0, 0.1], [0.4, 0.1]]);
+    let path = extract::Path::Line([Point::Plane([0.0, 0.1]), Point::Plane([0.4, 0.1])]);
     let fields = [Field::StressXx, Field::Displacement];
     let line = along(&mut family, &path, 9, &fields, &[FrameChoice::Last]).expect("a table");
     for row in 0..9 {
@@ -182,18 +185,25 @@ fn the_command_writes_tables_and_tells_what_is_wrong() {
     assert_eq!((code, printed.lines().next()), (Some(0), Some("time (s),kinetic energy (J)")));
 
     for (words, expected_code, message) in [
-        (&["history"][..], 2, "it needs --node N, --point X,Y or --nearest X,Y"),
+        (&["history"][..], 2, "it needs --node N, --point X,Y[,Z] or --nearest X,Y[,Z]"),
         (&["history", "--node", "99"], 1, "nodes run from 0 to 24"),
         (&["history", "--point", "7,7"], 1, "no triangle holds the point (7; 7)"),
         (&["line", "--from", "0,0"], 2, "it needs --to"),
         (&["line", "--from", "5,5", "--to", "6,6"], 1, "the path lies in no body"),
-        (&["line", "--from", "0", "--to", "1,1"], 2, "expected 2 numbers"),
+        (&["line", "--from", "0", "--to", "1,1"], 2, "expected X,Y in the plane or X,Y,Z in"),
         (&["arch", "--centre", "0,0", "--radius", "1", "--angles", "9"], 2, "expected LOW:HIGH"),
         (&["extremes", "--fields", "stress"], 2, "the field `stress`: there are von-mises"),
         (&["top-line", "--times", "#7"], 1, "states are #0 to #1"),
         (&["top-line", "--times", "noon"], 2, "expected a time in s"),
         (&["joints"], 1, "no joints at any time"),
         (&["force-displacement", "--support", "set:9", "--moved", "all"], 1, "holds no node"),
+        (&["history", "--node", "0", "--fields", "uz"], 1, "no field uz; expected u, ux, uy"),
+        (&["history", "--point", "0,0,0"], 1, "results are of bodies in the plane; expected X,Y"),
+        (
+            &["force-displacement", "--support", "box:,,:1", "--moved", "all"],
+            1,
+            "does not fit results of bodies in the plane; expected box:X0:X1,Y0:Y1",
+        ),
         (&["energy", "-o", "nowhere/table.csv"], 3, "nowhere/table.csv"),
     ] {
         let (code, _, told) = run(words);

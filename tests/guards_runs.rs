@@ -82,7 +82,7 @@ fn a_run_stops_at_the_first_step_that_makes_no_sense() {
     let picture = stopped.folder.path().join("out/deck.unstable.vtu");
     let mut results = ypsilon_post::results::Results::open(&picture).expect("results");
     let frame = results.frame(0).expect("a frame");
-    assert_eq!(frame.triangles.len(), 2);
+    assert_eq!(frame.elements.len(), 2);
     let stress = frame.stress.expect("stresses");
     assert!(stress.iter().flatten().all(|s| s.is_finite()) && stress[0][0] != 0.0, "{stress:?}");
 }

@@ -4,9 +4,13 @@
 mod support;
 
 use insta::assert_snapshot;
-use std::{fs, path::Path};
+use std::{collections::BTreeSet, fs, path::Path};
 use support::spoilt_deck::all_say;
-use yformat::diagnostic::Severity;
+use yformat::{
+    diagnostic::Severity,
+    dialect::Dialect,
+    keywords::{Role, find, reference, tables},
+};
 
 fn deck(name: &str) -> String {
     let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/y3d");
@@ -126,4 +130,77 @@ fn what_runs_otherwise_than_written() {
         ],
     );
     assert_snapshot!(said);
+}
+
+/// Sources that read `.Y3D` decks only, and those that read all decks of tetrahedra.
+const READERS: [&str; 2] = ["src/scene/from_deck/y3d", "src/scene/from_deck"];
+
+/// The keywords that the sources of a folder name, as `YDC/MCSTEP`.
+fn named_in(folder: &str) -> BTreeSet<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join(folder);
+    let mut names = BTreeSet::new();
+    for entry in fs::read_dir(folder).expect("the sources").flatten() {
+        let path = entry.path();
+        let is_source = path.extension().is_some_and(|ending| ending == "rs");
+        let text = if is_source { fs::read_to_string(path) } else { Ok(String::new()) };
+        let text = text.expect("a source");
+        let words = text.split("\"Y").skip(1).filter_map(|rest| rest.split('"').next());
+        let is_name = |word: &&str| {
+            let is_letter = |c: char| c == '/' || c.is_ascii_uppercase() || c.is_ascii_digit();
+            word.matches('/').count() == 1 && word.chars().all(is_letter)
+        };
+        names.extend(words.filter(is_name).map(|word| format!("Y{word}")));
+    }
+    names
+}
+
+#[test]
+fn the_reference_tells_which_keywords_are_taken() {
+    let reference = reference(Dialect::Y3d, None);
+    let own = named_in(READERS[0]);
+    assert!(own.len() > 40, "{own:?}");
+    for name in &own {
+        let keyword = find(Dialect::Y3d, name).unwrap_or_else(|| panic!("{name} is unknown"));
+        let is_taken = matches!(keyword.role, Role::Required | Role::Used);
+        assert!(is_taken, "{name} is taken, but said to be {:?}", keyword.role);
+        let section = format!("## {}\n", keyword.database);
+        let rows = reference.split(&section).nth(1).and_then(|rest| rest.split("\n## ").next());
+        let row = format!("| {} |", keyword.name);
+        assert!(rows.is_some_and(|rows| rows.contains(&row)), "the reference lacks {name}");
+    }
+    // what is said to have an effect is asked for, or sizes arrays
+    let taken: BTreeSet<String> = READERS.iter().flat_map(|folder| named_in(folder)).collect();
+    for keyword in tables(Dialect::Y3d).iter().flat_map(|table| table.keywords) {
+        let name = format!("{}/{}", keyword.database, keyword.name);
+        let sizes = tables(Dialect::Y3d).iter().flat_map(|table| table.keywords);
+        let mut sizes = sizes.filter(|other| other.database == keyword.database);
+        let is_size = sizes.any(|other| other.is_sized_by(keyword.name));
+        assert!(
+            keyword.role != Role::Used || is_size || taken.contains(&name),
+            "{name} is said to be used and never asked for"
+        );
+    }
+}
+
+/// Every keyword that is said to be refused is.
+#[test]
+fn what_the_reference_calls_refused_is_refused() {
+    let deck = deck("12_joint_pair.Y3D");
+    let mut refused = 0;
+    for keyword in tables(Dialect::Y3d).iter().flat_map(|table| table.keywords) {
+        let Role::Refused(what) = keyword.role else { continue };
+        let value = ["1", "1 1", "21 3 1 1 1 1"][keyword.rank()];
+        let size = match keyword.database {
+            "YSP" => "/YD/YSP/MSPD 1",
+            "YDX" => "/YD/YDX/NELNO 3 /YD/YDX/NELEM 1",
+            _ => "",
+        };
+        let asks = format!("{size} {} {value}\n$YDOIT", keyword.path());
+        let name = format!("{}/{}", keyword.database, keyword.name);
+        let said = all_say(Severity::Error, &deck, &[(&name, &[("$YDOIT", &asks)])]);
+        let message = format!("{name} asks for what is not simulated: {what}");
+        assert!(said.contains(&message), "{said}");
+        refused += 1;
+    }
+    assert!(refused >= 15, "{refused}");
 }

@@ -215,12 +215,12 @@ pub fn frame(simulation: &Simulation) -> Frame {
     let moved = scene.nodes.current.iter().zip(&scene.nodes.initial);
     let stress = |e: usize| {
         let t = &simulation.stresses()[e];
-        [t[(0, 0)], t[(1, 1)], 0.0, t[(0, 1)]]
+        [t[(0, 0)], t[(1, 1)], 0.0, t[(0, 1)], 0.0, 0.0]
     };
     Frame {
         time: simulation.time(),
         displacement: Some(moved.map(|(x, y)| pair(&(x - y))).collect()),
-        triangles: simulation
+        elements: simulation
             .triangles()
             .map(|e| scene.elements.corners::<3>(e).map(|n| n as u32))
             .collect(),

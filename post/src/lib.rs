@@ -1,4 +1,5 @@
-//! Post-processing: tables and pictures from results of Ypsilon.
+//! Post-processing: tables and pictures from results of Ypsilon. Tables are made of bodies in the
+//! plane and in space by the same code, generic over the dimension.
 //!
 //! * [`results`]: one model of VTU series and d3plot families
 //! * [`field`]: what can be shown: stresses, displacements, velocities, forces
@@ -16,8 +17,11 @@ pub mod field;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 pub mod plot;
+mod point;
 pub mod results;
 pub mod selection;
 pub mod table;
+mod vectors;
 
 pub use error::PostError;
+pub use point::Point;

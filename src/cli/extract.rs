@@ -8,7 +8,7 @@ use super::{
 use clap::{Args, ValueEnum};
 use std::path::PathBuf;
 use ypsilon_post::{
-    PostError,
+    Point, PostError,
     extract::{
         Path, Place, along, energy, extremes, force_displacement, histories, joint_counts, top_line,
     },
@@ -20,18 +20,24 @@ use ypsilon_post::{
 
 /// What the tables hold, as the help shows it.
 pub(super) const HELP: &str = "\
-Selections (places at the start of the run):
-  all, node:N, nodes:N,N,..., set:N (I1NOPR), box:X0:X1,Y0:Y1 (a bound may be left out),
-  line:X0,Y0,X1,Y1, material:N, body:N
+Bodies are triangles in the plane, or tetrahedra in space: what is said of X,Y is then said of X,Y,Z
 
-Fields: von-mises, von-mises-plane (σzz = 0), tresca, sxx, syy, sxy, szz, s1, s2, s3,
-  smax, smin, mean-stress, u, ux, uy, v, vx, vy, f, fx, fy, x, y, damage, material
+Selections (places at the start of the run):
+  all, node:N, nodes:N,N,..., set:N (I1NOPR), material:N, body:N,
+  box:X0:X1,Y0:Y1, in space box:X0:X1,Y0:Y1,Z0:Z1 (a bound may be left out),
+  line:X0,Y0,X1,Y1, in space line:X0,Y0,Z0,X1,Y1,Z1
+
+Fields: von-mises, tresca, sxx, syy, szz, sxy, s1, s2, s3, mean-stress, u, ux, uy, v, vx, vy,
+  f, fx, fy, x, y, damage, material
+  in the plane only: von-mises-plane (σzz = 0), smax, smin
+  in space only: syz, szx, uz, vz, fz, z
 
 Examples:
   ypsilon extract results/arch.pvd --what history --point 0,2.2 --fields uy,syy -o crown.csv
   ypsilon extract results/arch.pvd --what arch --centre 0,0 --radius 2.2 --angles 180:0 -o s.csv
   ypsilon extract results/wall.pvd --what force-displacement --support box:,:0.01 \\
       --moved line:0,1,1,1 -o push.csv
+  ypsilon extract results/cube.pvd --what line --from 0,0,0 --to 0,0,1 --fields uz,szz -o z.csv
 
 Exit codes:
   0    the table is written
@@ -60,16 +66,16 @@ pub(super) struct ExtractArguments {
     #[arg(long, value_name = "N")]
     node: Vec<usize>,
     /// Point of a history, m, in the undeformed bodies
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
     point: Vec<String>,
     /// Point whose nearest node gives a history, m, in the undeformed bodies
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
     nearest: Vec<String>,
     /// Where a line begins, m, in the undeformed bodies
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
     from: Option<String>,
     /// Where it ends, m
-    #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
+    #[arg(long, value_name = "X,Y[,Z]", allow_hyphen_values = true)]
     to: Option<String>,
     /// Centre of an arch, m
     #[arg(long, value_name = "X,Y", allow_hyphen_values = true)]
@@ -100,11 +106,11 @@ enum What {
     History,
     /// Kinetic energy over time
     Energy,
-    /// Deformed upper edge at chosen times
+    /// Deformed upper edge at chosen times, in the plane
     TopLine,
     /// Fields along a straight line at chosen times
     Line,
-    /// Fields along the arch coordinate s at chosen times
+    /// Fields along the arch coordinate s at chosen times, in the plane
     Arch,
     /// Reaction of supports against displacement
     ForceDisplacement,
@@ -135,40 +141,45 @@ pub(super) fn main(arguments: &ExtractArguments) -> Exit {
 }
 
 fn extract(arguments: &ExtractArguments) -> Result<Table, PostError> {
-    let fields = |otherwise: &[Field]| -> Result<Vec<Field>, PostError> {
-        match arguments.fields.as_slice() {
-            [] => Ok(otherwise.to_vec()),
-            names => names.iter().map(|name| name.parse()).collect(),
-        }
+    let asked = || -> Result<Vec<Field>, PostError> {
+        arguments.fields.iter().map(|name| name.parse()).collect()
     };
-    let selection =
-        |option: &'static str, words: &Option<String>| -> Result<Selection, PostError> {
-            words.as_deref().ok_or_else(|| needed(arguments.what, option))?.parse()
-        };
-    let point = |option: &'static str, words: &Option<String>| -> Result<[f64; 2], PostError> {
-        numbers::<2>(option, words.as_deref().ok_or_else(|| needed(arguments.what, option))?)
+    let given = |option: &'static str, words: &Option<String>| -> Result<String, PostError> {
+        words.clone().ok_or_else(|| needed(arguments.what, option))
     };
-    let stresses = [Field::StressXx, Field::StressYy, Field::StressXy];
+    let selection = |option: &'static str,
+                     words: &Option<String>|
+     -> Result<Selection, PostError> { given(option, words)?.parse() };
+    let point = |option: &'static str, words: &Option<String>| -> Result<Point, PostError> {
+        Point::parse(option, &given(option, words)?)
+    };
     match arguments.what {
         What::History => {
             let mut places: Vec<Place> = arguments.node.iter().map(|&n| Place::Node(n)).collect();
             for words in &arguments.point {
-                places.push(Place::Point(numbers::<2>("--point", words)?));
+                places.push(Place::Point(Point::parse("--point", words)?));
             }
             for words in &arguments.nearest {
-                places.push(Place::Nearest(numbers::<2>("--nearest", words)?));
+                places.push(Place::Nearest(Point::parse("--nearest", words)?));
             }
             if places.is_empty() {
-                return Err(needed(arguments.what, "--node N, --point X,Y or --nearest X,Y"));
+                return Err(needed(
+                    arguments.what,
+                    "--node N, --point X,Y[,Z] or --nearest X,Y[,Z]",
+                ));
             }
-            let fields = fields(&[Field::DisplacementX, Field::DisplacementY])?;
-            histories(&mut Results::open(&arguments.results)?, &places, &fields)
+            let asked = asked()?;
+            let mut results = Results::open(&arguments.results)?;
+            let fields = fields(asked, [DISPLACEMENTS, DISPLACEMENTS_IN_SPACE], &mut results)?;
+            histories(&mut results, &places, &fields)
         }
         What::Energy => energy(&mut Results::open(&arguments.results)?),
         What::Joints => joint_counts(&mut Results::open(&arguments.results)?),
         What::Extremes => {
-            let fields = fields(&stresses)?;
-            extremes(&mut Results::open(&arguments.results)?, &fields)
+            let asked = asked()?;
+            let mut results = Results::open(&arguments.results)?;
+            let fields = fields(asked, [STRESSES, STRESSES_IN_SPACE], &mut results)?;
+            extremes(&mut results, &fields)
         }
         What::TopLine => {
             let selection = arguments.select.as_deref().map(str::parse).transpose()?;
@@ -181,12 +192,13 @@ fn extract(arguments: &ExtractArguments) -> Result<Table, PostError> {
                 Path::Line([point("--from", &arguments.from)?, point("--to", &arguments.to)?])
             } else {
                 let [angles] = ranges::<1>("--angles", &arguments.angles)?;
-                let centre = point("--centre", &arguments.centre)?;
+                let centre = centre(&given("--centre", &arguments.centre)?)?;
                 let radius = arguments.radius.ok_or_else(|| needed(arguments.what, "--radius"))?;
                 Path::Arc { centre, radius, angles }
             };
-            let fields = fields(&stresses)?;
+            let asked = asked()?;
             let mut results = Results::open(&arguments.results)?;
+            let fields = fields(asked, [STRESSES, STRESSES_IN_SPACE], &mut results)?;
             let times = times(arguments, &results)?;
             along(&mut results, &path, arguments.samples, &fields, &times)
         }
@@ -194,6 +206,48 @@ fn extract(arguments: &ExtractArguments) -> Result<Table, PostError> {
             let support = selection("--support", &arguments.support)?;
             let moved = selection("--moved", &arguments.moved)?;
             force_displacement(&mut Results::open(&arguments.results)?, &support, &moved)
+        }
+    }
+}
+
+/// Fields of histories without `--fields`, of bodies in the plane.
+const DISPLACEMENTS: &[Field] = &[Field::DisplacementX, Field::DisplacementY];
+/// Of bodies in space.
+const DISPLACEMENTS_IN_SPACE: &[Field] =
+    &[Field::DisplacementX, Field::DisplacementY, Field::DisplacementZ];
+/// Fields of lines and extremes without `--fields`, of bodies in the plane.
+const STRESSES: &[Field] = &[Field::StressXx, Field::StressYy, Field::StressXy];
+/// Of bodies in space.
+const STRESSES_IN_SPACE: &[Field] = &[
+    Field::StressXx,
+    Field::StressYy,
+    Field::StressZz,
+    Field::StressXy,
+    Field::StressYz,
+    Field::StressZx,
+];
+
+/// The fields that were asked for, or those that there are without asking in the plane and in
+/// space.
+fn fields(
+    asked: Vec<Field>,
+    [plane, space]: [&[Field]; 2],
+    results: &mut Results,
+) -> Result<Vec<Field>, PostError> {
+    match asked.is_empty() {
+        false => Ok(asked),
+        true => Ok(if results.dimension()? > 2 { space } else { plane }.to_vec()),
+    }
+}
+
+/// The centre of an arch, in the plane.
+fn centre(words: &str) -> Result<[f64; 2], PostError> {
+    match Point::parse("--centre", words)? {
+        Point::Plane(centre) => Ok(centre),
+        Point::Space(_) => {
+            let expected = "expected X,Y: an arch is one of bodies in the plane; in space there \
+                            is --what line";
+            Err(PostError::words("--centre", words, expected))
         }
     }
 }
@@ -208,25 +262,6 @@ fn times(arguments: &ExtractArguments, results: &Results) -> Result<Vec<FrameCho
 fn needed(what: What, option: &str) -> PostError {
     let name = what.to_possible_value().map_or_else(String::new, |v| v.get_name().to_owned());
     PostError::words("--what", name, format!("it needs {option}"))
-}
-
-/// `N` numbers with commas between them.
-pub(super) fn numbers<const N: usize>(
-    what: &'static str,
-    words: &str,
-) -> Result<[f64; N], PostError> {
-    let numbers: Option<Vec<f64>> = words
-        .split(',')
-        .map(|word| word.trim().parse().ok().filter(|x: &f64| x.is_finite()))
-        .collect();
-    numbers.and_then(|numbers| numbers.try_into().ok()).ok_or_else(|| {
-        let expected = if N == 1 {
-            "expected a number".to_owned()
-        } else {
-            format!("expected {N} numbers with a comma between them")
-        };
-        PostError::words(what, words, expected)
-    })
 }
 
 /// `N` pairs `LOW:HIGH` with commas between them.

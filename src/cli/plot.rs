@@ -3,7 +3,7 @@
 use super::{
     Exit,
     console::{say, warn},
-    extract::{numbers, ranges},
+    extract::ranges,
 };
 use clap::{Args, ValueEnum};
 use std::path::{Path, PathBuf};
@@ -312,7 +312,9 @@ fn draw_curves(inputs: &[PathBuf], arguments: &PlotArguments) -> Result<Picture,
         size: [arguments.width, wanted.height],
     };
     for factor in [wanted.x_factor, wanted.y_factor] {
-        numbers::<1>("the factor", &factor.to_string())?;
+        if !factor.is_finite() {
+            return Err(PostError::words("the factor", factor.to_string(), "expected a number"));
+        }
     }
     let scale = |axis| if wanted.log.contains(&axis) { Scale::Logarithmic } else { Scale::Linear };
     curves_on([Axis::X, Axis::Y].map(scale), &drawn, &options)

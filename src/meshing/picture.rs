@@ -17,7 +17,7 @@ pub fn picture(generated: &Generated, width: u32) -> Result<Picture, PostError> 
     let number = |n: usize| i32::try_from(n).unwrap_or(i32::MAX);
     let frame = Frame {
         points: mesh.nodes.clone(),
-        triangles: mesh.triangles.iter().map(|t| t.nodes.map(|n| number(n) as u32)).collect(),
+        elements: mesh.triangles.iter().map(|t| t.nodes.map(|n| number(n) as u32)).collect(),
         property: generated.properties.of_triangle.iter().map(|&set| number(set)).collect(),
         ..Frame::default()
     };

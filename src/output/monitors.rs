@@ -293,7 +293,8 @@ fn choose(plan: &MonitorPlan, simulation: &Simulation) -> Result<Chosen, OutputE
     let mesh = Mesh {
         initial: &initial,
         node_set: Some(&scene.nodes.set),
-        triangles: &triangles,
+        elements: &triangles,
+        edge_nodes: &[],
         property: &property,
         body: Some(&body),
     };

@@ -1,7 +1,10 @@
 //! What a study varies: a deck or a scenario, with other values in some places.
 
 use super::{cell::Cell, scenario_path::ScenarioPath};
-use crate::{meshing::Scenario, session::monitors};
+use crate::{
+    meshing::{AnyKind, Scenario},
+    session::monitors,
+};
 use std::path::{Component, Path, PathBuf};
 use yformat::{
     checksum::Checksum,
@@ -32,6 +35,8 @@ pub enum Base {
         table: toml::Table,
         /// Whether it asks for monitors.
         has_monitors: bool,
+        /// Number of dimensions.
+        dimension: usize,
     },
 }
 
@@ -75,11 +80,13 @@ impl Base {
                 BaseError::Words(format!("{}: {error}", path.display()))
             };
             let scenario = Scenario::read(path).map_err(|e| words(&e))?;
-            scenario.kind().map_err(|e| words(&e))?;
+            let (_, kind) = scenario.kind().map_err(|e| words(&e))?;
+            let dimension = if matches!(kind, AnyKind::Spatial(_)) { 3 } else { 2 };
             let plan = monitors(&scenario, path).map_err(|e| BaseError::Words(e.to_string()))?;
             let table = toml::Table::try_from(&scenario).map_err(|e| words(&e))?;
             let has_monitors = !plan.is_empty();
-            return Ok(Self::Scenario { path: path.to_path_buf(), table, has_monitors });
+            let path = path.to_path_buf();
+            return Ok(Self::Scenario { path, table, has_monitors, dimension });
         }
         let outcome = DeckReader::new().dialect(dialect).read(path);
         let outcome = outcome.map_err(|error| {
@@ -111,6 +118,24 @@ impl Base {
     #[must_use]
     pub fn has_monitors(&self) -> bool {
         matches!(self, Self::Scenario { has_monitors: true, .. })
+    }
+
+    /// Number of dimensions of its results, 2 or 3.
+    #[must_use]
+    pub fn dimension(&self) -> usize {
+        let deck = match self {
+            Self::Scenario { dimension, .. } => return *dimension,
+            Self::Deck { deck, .. } => deck,
+        };
+        let told = || {
+            let entries = deck.entries(&"YDN/NNODIM".parse().ok()?).ok()?;
+            deck.number(*entries.first()?).map(Number::value)
+        };
+        match deck.dialect() {
+            Dialect::Y3d => 3,
+            Dialect::Split if told() == Some(3.0) => 3,
+            _ => 2,
+        }
     }
 
     /// The place that words mean.

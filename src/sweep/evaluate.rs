@@ -5,11 +5,10 @@ use crate::{output::OutputNames, session::RunSummary};
 use std::path::Path;
 use ypsilon_post::{
     PostError,
-    extract::{
-        Place, energy, extremes, force_displacement, histories, joint_counts, nearest_corner,
-    },
+    extract::{Place, energy, extremes, force_displacement, histories, joint_counts, on_bodies},
     field::Field,
     results::Results,
+    selection::Selection,
     table::Table,
 };
 
@@ -67,17 +66,30 @@ impl Tables {
                 let column = table.find(&format!("{column} {}", field.name())).map_err(words)?;
                 (table, column)
             }
-            Source::Reaction(nodes, axis) => {
-                (force_displacement(self.results()?, nodes, nodes).map_err(words)?, 3 + axis)
-            }
+            Source::Reaction(nodes, axis) => self.sum(nodes, *axis, "reaction ")?,
             Source::MeanDisplacement(nodes, axis) => {
-                (force_displacement(self.results()?, nodes, nodes).map_err(words)?, 1 + axis)
+                self.sum(nodes, *axis, "mean displacement u")?
             }
             Source::Monitors(column) => named(&self.names.monitors(), column)?,
             Source::Balance(column) => named(&self.names.energy(), column)?,
             Source::Yh(number) => (Table::read(&self.names.history(*number)).map_err(words)?, 1),
         };
         pick(&table, column, output.at)
+    }
+
+    /// The table of forces and displacements of nodes, and the column of an axis.
+    fn sum(
+        &mut self,
+        nodes: &Selection,
+        axis: usize,
+        column: &str,
+    ) -> Result<(Table, usize), String> {
+        let words = |error: PostError| error.to_string();
+        let results = self.results()?;
+        let name = ["x", "y", "z"].get(axis).copied().unwrap_or_default();
+        let table = force_displacement(results, nodes, nodes).map_err(words)?;
+        let column = table.find(&format!("{column}{name}")).map_err(words)?;
+        Ok((table, column))
     }
 
     fn histories(
@@ -97,18 +109,7 @@ impl Tables {
                 }
             }
             let results = self.results()?;
-            let first = results.frame(0).map_err(|error| error.to_string())?;
-            // joints take the corners of triangles away from the deck's nodes
-            let moved = |place: &Place| match *place {
-                Place::Node(node)
-                    if !first.triangles.iter().flatten().any(|&n| n as usize == node) =>
-                {
-                    let corner = first.initial().get(node).and_then(|&x| nearest_corner(&first, x));
-                    corner.map_or(Place::Node(node), Place::Node)
-                }
-                other => other,
-            };
-            let anchors: Vec<Place> = places.iter().map(moved).collect();
+            let anchors = on_bodies(results, &places).map_err(|error| error.to_string())?;
             let table = histories(results, &anchors, &fields).map_err(|error| error.to_string())?;
             self.histories = Some((places, fields, table));
         }

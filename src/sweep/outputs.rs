@@ -132,15 +132,18 @@ impl Output {
         let axis = || match table.direction.as_deref() {
             Some("x") => Ok(0),
             Some("y") => Ok(1),
-            Some(other) => Err(format!("the direction `{other}` is none: expected x or y")),
+            Some("z") => Ok(2),
+            Some(other) => {
+                Err(format!("the direction `{other}` is none: expected x, y or, in space, z"))
+            }
             None => Err(needed("direction")),
         };
         let source = match table.what.as_str() {
             "history" => {
                 let places = [
                     table.node.map(Place::Node),
-                    table.point.map(Place::Point),
-                    table.nearest.map(Place::Nearest),
+                    table.point.map(|point| Place::Point(point.into())),
+                    table.nearest.map(|point| Place::Nearest(point.into())),
                 ];
                 let mut places = places.into_iter().flatten();
                 match (places.next(), places.next()) {
@@ -176,6 +179,35 @@ impl Output {
         Ok(Self { name: name.to_owned(), source, at: when(table.at.as_ref())? })
     }
 
+    /// Checks that results of so many dimensions have it; one sentence if they do not.
+    pub(super) fn check(&self, dimension: usize) -> Result<(), String> {
+        let words = |error: PostError| error.to_string();
+        match &self.source {
+            Source::History(place, field) => {
+                field.check(dimension).map_err(words)?;
+                match place {
+                    Place::Point(point) | Place::Nearest(point) => {
+                        point.check(dimension).map_err(words)
+                    }
+                    Place::Node(_) => Ok(()),
+                }
+            }
+            Source::Extremes(field, _) => field.check(dimension).map_err(words),
+            Source::Reaction(nodes, axis) | Source::MeanDisplacement(nodes, axis) => {
+                if *axis >= dimension {
+                    let expected = "expected x or y: the base is one of the plane";
+                    return Err(format!("there is no direction z; {expected}"));
+                }
+                nodes.check(dimension).map_err(words)
+            }
+            Source::Monitors(_) if dimension > 2 => Err("monitors are sums over bodies in the \
+                                                         plane: take `reaction`, \
+                                                         `mean-displacement` or `energy`"
+                .to_owned()),
+            _ => Ok(()),
+        }
+    }
+
     /// Its name with the unit behind it in brackets, where there is one.
     #[must_use]
     pub fn heading(&self) -> String {
@@ -187,6 +219,7 @@ impl Output {
             (Source::Reaction(..), _) => "N",
             (Source::MeanDisplacement(..), _) => "m",
             (Source::Joints(column), _) if column.contains("length") => "m",
+            (Source::Joints(column), _) if column.contains("area") => "m²",
             (Source::Joints(_) | Source::Monitors(_) | Source::Yh(_), _) => "",
             (Source::Run(figure), _) => {
                 FIGURES.iter().find(|(f, ..)| f == figure).map_or("", |(.., unit)| *unit)
@@ -263,13 +296,22 @@ mod tests {
             fault("what = 'history'\nfield = 'ux'")
                 .contains("one of `node`, `point` and `nearest`")
         );
-        assert!(fault("what = 'history'\nnode = 1\nfield = 'uz'").contains("`uz`"));
+        assert!(fault("what = 'history'\nnode = 1\nfield = 'ur'").contains("`ur`"));
         assert!(fault("what = 'energy'\nnode = 1").contains("`node` means nothing"));
         assert!(fault("what = 'run'\ncolumn = 'second'").contains("expected seconds, steps"));
         assert!(fault("what = 'run'\ncolumn = 'steps'\nat = 'max'").contains("no times"));
         assert!(fault("what = 'energy'\nat = 'top'").contains("max-abs"));
-        let reaction = "what = 'reaction'\nnodes = 'set:1'\ndirection = 'z'";
-        assert!(fault(reaction).contains("expected x or y"));
+        let reaction = "what = 'reaction'\nnodes = 'set:1'\ndirection = 'w'";
+        assert!(fault(reaction).contains("expected x, y or, in space, z"));
+    }
+
+    #[test]
+    fn points_have_two_or_three_coordinates() {
+        for point in ["[1]", "[1, 2, 3, 4]", "'1,2'"] {
+            let text = format!("what = 'history'\nfield = 'ux'\nnearest = {point}");
+            let fault = toml::from_str::<OutputTable>(&text).expect_err("a fault").to_string();
+            assert!(fault.contains("expected [X, Y] in the plane or [X, Y, Z]"), "{fault}");
+        }
     }
 
     #[test]
@@ -282,5 +324,7 @@ mod tests {
         assert_eq!(heading("what = 'energy'\nat = 'time-of-max'"), "u (s)");
         assert_eq!(heading("what = 'joints'\ncolumn = 'broken'"), "u");
         assert_eq!(heading("what = 'extremes'\nfield = 'uy'\ncolumn = 'x of min'"), "u (m)");
+        assert_eq!(heading("what = 'joints'\ncolumn = 'broken area'"), "u (m²)");
+        assert_eq!(heading("what = 'history'\nfield = 'uz'\npoint = [0, 0.5, 1]"), "u (m)");
     }
 }

@@ -130,7 +130,7 @@ impl Reader {
         let mut found: Vec<_> = file.outputs.iter().collect();
         found.sort_by_key(|(name, _)| name.span().start);
         for (name, table) in found {
-            outputs.push(self.output(name.get_ref(), table, name.span(), &parameters)?);
+            outputs.push(self.output(name.get_ref(), table, name.span(), &parameters, &base)?);
         }
         let named: Vec<(&str, &Values)> =
             parameters.iter().zip(&values).map(|(p, v)| (p.name.as_str(), v)).collect();
@@ -366,13 +366,16 @@ impl Reader {
         table: &toml::Spanned<OutputTable>,
         place: Bytes<usize>,
         parameters: &[Parameter],
+        base: &Base,
     ) -> Result<Output, StudyError> {
         let is_taken = parameters.iter().any(|p| p.name == name);
         if is_taken || name == "case" || name == "status" {
             let message = format!("two columns of the table would be called `{name}`");
             return Err(self.error("study::output", message, place));
         }
-        Output::of(name, table.get_ref()).map_err(|words| {
+        let output = Output::of(name, table.get_ref())
+            .and_then(|output| output.check(base.dimension()).map(|()| output));
+        output.map_err(|words| {
             self.error("study::output", format!("output `{name}`: {words}"), table.span())
         })
     }

@@ -3,6 +3,7 @@
 use serde::Deserialize;
 use std::{collections::BTreeMap, path::PathBuf};
 use toml::Spanned;
+use ypsilon_post::Point;
 
 /// The whole file.
 #[derive(Debug, Deserialize)]
@@ -99,13 +100,30 @@ pub(super) struct OutputTable {
     pub what: String,
     pub field: Option<String>,
     pub node: Option<usize>,
-    pub point: Option<[f64; 2]>,
-    pub nearest: Option<[f64; 2]>,
+    pub point: Option<Coordinates>,
+    pub nearest: Option<Coordinates>,
     pub nodes: Option<String>,
     pub direction: Option<String>,
     pub column: Option<String>,
     pub number: Option<usize>,
     pub at: Option<At>,
+}
+
+/// A point in the plane or in space, m.
+#[derive(Debug, Clone, Copy, Deserialize)]
+#[serde(untagged, expecting = "expected [X, Y] in the plane or [X, Y, Z] in space")]
+pub(super) enum Coordinates {
+    Plane([f64; 2]),
+    Space([f64; 3]),
+}
+
+impl From<Coordinates> for Point {
+    fn from(coordinates: Coordinates) -> Self {
+        match coordinates {
+            Coordinates::Plane(x) => Self::Plane(x),
+            Coordinates::Space(x) => Self::Space(x),
+        }
+    }
 }
 
 /// A time in s, or a word.

@@ -11,7 +11,12 @@ use ypsilon_converters::{
     vtk_series::{SeriesForm, series_of, series_to_pvd},
     ym::ym_to_vtu,
 };
-use ypsilon_post::{results::Results, table::Table};
+use ypsilon_post::{
+    extract::Locator,
+    results::{Results, bounds},
+    selection::Selection,
+    table::Table,
+};
 
 /// A deck that says by what the values of a snapshot were divided.
 const SCALES: &[u8] =
@@ -97,7 +102,13 @@ fn frames(path: &Path) {
     for index in 0..results.len().min(2) {
         if let Ok(frame) = results.frame(index) {
             let _ = frame.energy();
-            let _ = ypsilon_post::results::Frame::bounds(&frame.initial());
+            let _ = bounds(&frame.initial());
+        }
+        if let Ok(frame) = results.frame_in::<3, 4>(index) {
+            let _ = frame.energy();
+            let initial = frame.initial();
+            let _ = Selection::All.nodes(&frame.mesh(&initial));
+            let _ = Locator::new(&frame.elements, &initial).find([0.1; 3]);
         }
     }
 }

@@ -1,6 +1,7 @@
 //! What several test files share.
 #![allow(dead_code, reason = "each test file uses its part")]
 
+pub mod block_deck;
 pub mod child;
 pub mod dialect_cases;
 pub mod dialect_scenes;

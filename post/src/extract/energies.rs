@@ -1,7 +1,7 @@
 //! Energies through time.
 
 use crate::error::PostError;
-use crate::results::Results;
+use crate::results::{Results, by_dimension};
 use crate::table::Table;
 
 /// Kinetic energy at all times.
@@ -9,9 +9,13 @@ use crate::table::Table;
 /// # Errors
 /// If the results neither tell it nor hold masses and velocities.
 pub fn energy(results: &mut Results) -> Result<Table, PostError> {
+    by_dimension!(results, energy_in())
+}
+
+fn energy_in<const D: usize, const C: usize>(results: &mut Results) -> Result<Table, PostError> {
     let mut table = Table::new(["time (s)", "kinetic energy (J)"]);
     for index in 0..results.len() {
-        let frame = results.frame(index)?;
+        let frame = results.frame_in::<D, C>(index)?;
         let energy = frame.energy().ok_or(PostError::MissingArray {
             array: "kinetic energy",
             wanted: "the table of energies".to_owned(),

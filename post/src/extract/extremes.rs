@@ -2,28 +2,35 @@
 
 use crate::error::PostError;
 use crate::field::{Field, FieldValues};
-use crate::results::{Frame, Results};
+use crate::results::{Frame, Results, by_dimension};
 use crate::table::Table;
 
 /// Smallest and largest value of a field at each time with its place (the node, or the centre of
-/// the triangle, where it is then), m.
+/// the element, where it is then), m.
 ///
 /// # Errors
 /// If the field is not in the results or a file cannot be read.
 pub fn extremes(results: &mut Results, fields: &[Field]) -> Result<Table, PostError> {
+    by_dimension!(results, extremes_in(fields))
+}
+
+fn extremes_in<const D: usize, const C: usize>(
+    results: &mut Results,
+    fields: &[Field],
+) -> Result<Table, PostError> {
     let mut headings = vec!["time (s)".to_owned()];
     for field in fields {
         let (name, unit) = (field.name(), field.quantity().unit());
         let unit = if unit.is_empty() { String::new() } else { format!(" ({unit})") };
         for kind in ["min", "max"] {
             headings.push(format!("{kind} {name}{unit}"));
-            headings.push(format!("x of {kind} {name} (m)"));
-            headings.push(format!("y of {kind} {name} (m)"));
+            let axes = ["x", "y", "z"].iter().take(D);
+            headings.extend(axes.map(|axis| format!("{axis} of {kind} {name} (m)")));
         }
     }
     let mut table = Table::new(headings);
     for index in 0..results.len() {
-        let frame = results.frame(index)?;
+        let frame = results.frame_in::<D, C>(index)?;
         let mut row = vec![frame.time];
         for field in fields {
             let values = field.values(&frame)?;
@@ -32,9 +39,10 @@ pub fn extremes(results: &mut Results, fields: &[Field]) -> Result<Table, PostEr
                 let extreme = all.min_by(|(_, a), (_, b)| (sign * **a).total_cmp(&(sign * **b)));
                 let (value, place) = match extreme {
                     Some((index, &value)) => (value, place(&frame, &values, index)),
-                    None => (f64::NAN, [f64::NAN; 2]),
+                    None => (f64::NAN, [f64::NAN; D]),
                 };
-                row.extend([value, place[0], place[1]]);
+                row.push(value);
+                row.extend(place);
             }
         }
         table.rows.push(row);
@@ -42,13 +50,19 @@ pub fn extremes(results: &mut Results, fields: &[Field]) -> Result<Table, PostEr
     Ok(table)
 }
 
-fn place(frame: &Frame, values: &FieldValues, index: usize) -> [f64; 2] {
+fn place<const D: usize, const C: usize>(
+    frame: &Frame<D, C>,
+    values: &FieldValues,
+    index: usize,
+) -> [f64; D] {
     match values {
-        FieldValues::Nodes(_) => frame.points.get(index).copied().unwrap_or([f64::NAN; 2]),
-        FieldValues::Triangles(_) => {
-            let triangle = frame.triangles.get(index).copied().unwrap_or([u32::MAX; 3]);
-            let [a, b, c] = Frame::corners(triangle, &frame.points);
-            [0, 1].map(|axis| (a[axis] + b[axis] + c[axis]) / 3.0)
+        FieldValues::Nodes(_) => frame.points.get(index).copied().unwrap_or([f64::NAN; D]),
+        FieldValues::Elements(_) => {
+            let element = frame.elements.get(index).copied().unwrap_or([u32::MAX; C]);
+            let corners = Frame::corners(element, &frame.points);
+            std::array::from_fn(|axis| {
+                corners.iter().map(|corner| corner[axis]).sum::<f64>() / C as f64
+            })
         }
     }
 }

@@ -1,16 +1,22 @@
 //! Joints through time.
 
 use crate::error::PostError;
-use crate::results::{JointState, Results};
+use crate::results::{JointState, Results, by_dimension};
 use crate::table::Table;
 
 /// How many joints are intact, softening and broken at all times; of the broken ones how many
 /// failed in tension, in shear, in both, and of how many it is not known; and the length of the
-/// broken ones, m.
+/// broken ones, m, in space their area, m².
 ///
 /// # Errors
 /// If no time has joints, or a file cannot be read.
 pub fn joint_counts(results: &mut Results) -> Result<Table, PostError> {
+    by_dimension!(results, joint_counts_in())
+}
+
+fn joint_counts_in<const D: usize, const C: usize>(
+    results: &mut Results,
+) -> Result<Table, PostError> {
     let mut table = Table::new([
         "time (s)",
         "intact",
@@ -20,11 +26,11 @@ pub fn joint_counts(results: &mut Results) -> Result<Table, PostError> {
         "broken in shear",
         "broken in both",
         "broken of unknown mode",
-        "broken length (m)",
+        if D > 2 { "broken area (m²)" } else { "broken length (m)" },
     ]);
     let mut any = false;
     for index in 0..results.len() {
-        let frame = results.frame(index)?;
+        let frame = results.frame_in::<D, C>(index)?;
         any |= !frame.joints.is_empty();
         let mut row = vec![0.0; table.headings.len()];
         row[0] = frame.time;
@@ -38,8 +44,7 @@ pub fn joint_counts(results: &mut Results) -> Result<Table, PostError> {
                     None => 7,
                 };
                 row[mode] += 1.0;
-                let [a, b] = joint.ends;
-                row[8] += (b[0] - a[0]).hypot(b[1] - a[1]);
+                row[8] += joint.extent();
             }
         }
         table.rows.push(row);

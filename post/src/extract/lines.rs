@@ -1,18 +1,24 @@
 //! Values along a straight line or an arc.
 
-use super::locate::Locator;
+use super::{
+    locate::{Location, Locator},
+    only_in_the_plane,
+};
+use crate::Point;
 use crate::error::PostError;
-use crate::field::Field;
-use crate::results::{FrameChoice, Results};
+use crate::field::{Field, FieldValues};
+use crate::results::{Frame, FrameChoice, Results, by_dimension};
 use crate::table::Table;
+use crate::vectors::{length, minus};
+use ypsilon_converters::stress_measures::SymmetricTensor;
 
 /// A path through the undeformed bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Path {
     /// From a point to another, m.
-    Line([[f64; 2]; 2]),
+    Line([Point; 2]),
     /// About a centre at a radius, m, from an angle to another, degrees: 0 points right, 90 up.
-    /// The arch coordinate s counts from the first angle.
+    /// The arch coordinate s counts from the first angle. In the plane only.
     Arc {
         /// Centre, m.
         centre: [f64; 2],
@@ -25,17 +31,19 @@ pub enum Path {
 
 impl Path {
     /// Place and arc length at a share of the path.
-    fn at(&self, share: f64) -> ([f64; 2], f64) {
+    fn at<const D: usize>(&self, share: f64) -> Result<([f64; D], f64), PostError> {
         match *self {
             Self::Line([a, b]) => {
-                let length = (b[0] - a[0]).hypot(b[1] - a[1]);
-                ([0, 1].map(|k| a[k] + share * (b[k] - a[k])), share * length)
+                let (a, b) = (a.within::<D>()?, b.within::<D>()?);
+                let way = minus(b, a);
+                let place = std::array::from_fn(|axis| a[axis] + share * way[axis]);
+                Ok((place, share * length(way)))
             }
             Self::Arc { centre, radius, angles } => {
                 let turned = share * (angles[1] - angles[0]);
                 let (sine, cosine) = (angles[0] + turned).to_radians().sin_cos();
                 let place = [centre[0] + radius * cosine, centre[1] + radius * sine];
-                (place, radius * turned.abs().to_radians())
+                Ok((Point::Plane(place).within()?, radius * turned.abs().to_radians()))
             }
         }
     }
@@ -49,7 +57,7 @@ impl Path {
 ///
 /// # Errors
 /// If no sample lies in a body, fewer than 2 samples are asked for, a field is not in the
-/// results, or a file cannot be read.
+/// results, the path has other dimensions than the bodies, or a file cannot be read.
 pub fn along(
     results: &mut Results,
     path: &Path,
@@ -61,11 +69,25 @@ pub fn along(
         let expected = "expected 2 to 1000000";
         return Err(PostError::words("the number of samples", samples.to_string(), expected));
     }
-    let mut headings = ["time (s)", "s (m)", "x (m)", "y (m)"].map(str::to_owned).to_vec();
+    if matches!(path, Path::Arc { .. }) {
+        only_in_the_plane(results, "an arch", "`line` from X,Y,Z to X,Y,Z")?;
+    }
+    by_dimension!(results, along_in(path, samples, fields, times))
+}
+
+fn along_in<const D: usize, const C: usize>(
+    results: &mut Results,
+    path: &Path,
+    samples: usize,
+    fields: &[Field],
+    times: &[FrameChoice],
+) -> Result<Table, PostError> {
+    let mut headings = ["time (s)", "s (m)"].map(str::to_owned).to_vec();
     let is_arc = matches!(path, Path::Arc { .. });
     if is_arc {
-        headings.insert(2, "angle (deg)".to_owned());
+        headings.push("angle (deg)".to_owned());
     }
+    headings.extend(["x (m)", "y (m)", "z (m)"].into_iter().take(D).map(str::to_owned));
     headings.extend(fields.iter().map(|f| f.heading()));
     if is_arc {
         let local = ["stress along arc (Pa)", "stress across arc (Pa)", "shear in arc axes (Pa)"];
@@ -73,35 +95,28 @@ pub fn along(
     }
     let mut table = Table::new(headings);
     for &time in times {
-        let frame = results.frame(results.index_of(time)?)?;
+        let frame = results.frame_in::<D, C>(results.index_of(time)?)?;
         let initial = frame.initial();
-        let locator = Locator::new(&frame.triangles, &initial);
+        let locator = Locator::new(&frame.elements, &initial);
         let values: Vec<_> = fields.iter().map(|f| f.values(&frame)).collect::<Result<_, _>>()?;
-        let corners: Vec<_> = values.iter().map(|v| v.corners(&frame)).collect();
         let mut any = false;
         for sample in 0..samples {
             let share = sample as f64 / (samples - 1) as f64;
-            let (place, length) = path.at(share);
-            let mut row = vec![frame.time, length, place[0], place[1]];
+            let (place, length) = path.at::<D>(share)?;
+            let mut row = vec![frame.time, length];
             if let Path::Arc { angles, .. } = path {
-                row.insert(2, angles[0] + share * (angles[1] - angles[0]));
+                row.push(angles[0] + share * (angles[1] - angles[0]));
             }
+            row.extend(place);
             let found = locator.find(place);
             any |= found.is_some();
-            for corners in &corners {
-                row.push(found.map_or(f64::NAN, |at| {
-                    let corners = corners.get(at.triangle).copied().unwrap_or([f64::NAN; 3]);
-                    if corners[0] == corners[1] && corners[1] == corners[2] {
-                        corners[0] // of the triangle: exact
-                    } else {
-                        corners.iter().zip(at.weights).map(|(v, w)| v * w).sum()
-                    }
-                }));
+            for values in &values {
+                row.push(found.map_or(f64::NAN, |at| sampled(&frame, values, at)));
             }
             if let Path::Arc { centre, .. } = path {
                 let stress = frame.stress.as_ref().zip(found);
-                let stress = stress.and_then(|(all, at)| all.get(at.triangle));
-                row.extend(in_arc_axes(stress, *centre, place));
+                let stress = stress.and_then(|(all, at)| all.get(at.element));
+                row.extend(in_arc_axes(stress, *centre, [place[0], place[1]]));
             }
             table.rows.push(row);
         }
@@ -114,9 +129,26 @@ pub fn along(
     Ok(table)
 }
 
+/// The value at a place of an element: exact where all its nodes have the same.
+fn sampled<const D: usize, const C: usize>(
+    frame: &Frame<D, C>,
+    values: &FieldValues,
+    Location { element, weights }: Location<C>,
+) -> f64 {
+    if let FieldValues::Nodes(all) = values {
+        let mut nodes = frame.shape(element, weights).map(|(node, _)| all.get(node as usize));
+        if let Some(first) = nodes.next().flatten()
+            && nodes.all(|value| value == Some(first))
+        {
+            return *first;
+        }
+    }
+    values.within(frame, element, weights)
+}
+
 /// Normal stress along the arc, across it, and the shear stress between them.
-fn in_arc_axes(stress: Option<&[f64; 4]>, centre: [f64; 2], place: [f64; 2]) -> [f64; 3] {
-    let Some(&[xx, yy, _, xy]) = stress else { return [f64::NAN; 3] };
+fn in_arc_axes(stress: Option<&SymmetricTensor>, centre: [f64; 2], place: [f64; 2]) -> [f64; 3] {
+    let Some(&[xx, yy, _, xy, ..]) = stress else { return [f64::NAN; 3] };
     let radius = (place[0] - centre[0]).hypot(place[1] - centre[1]);
     let n = [0, 1].map(|k| (place[k] - centre[k]) / radius);
     let across = xx * n[0] * n[0] + yy * n[1] * n[1] + 2.0 * xy * n[0] * n[1];
@@ -130,7 +162,7 @@ mod tests {
 
     #[test]
     fn arc_axes_turn_the_stress() {
-        let stress = [2.0, -1.0, 0.0, 0.5];
+        let stress = [2.0, -1.0, 0.0, 0.5, 0.0, 0.0];
         assert_eq!(in_arc_axes(Some(&stress), [0.0, 0.0], [3.0, 0.0]), [-1.0, 2.0, 0.5]);
         assert_eq!(in_arc_axes(Some(&stress), [1.0, 0.0], [1.0, 2.0]), [2.0, -1.0, -0.5]);
         let [along, across, shear] = in_arc_axes(Some(&stress), [0.0; 2], [1.0, 1.0]);
@@ -140,7 +172,7 @@ mod tests {
     #[test]
     fn the_arch_coordinate_counts_from_the_first_angle() {
         let arc = Path::Arc { centre: [0.0, 1.0], radius: 2.0, angles: [180.0, 0.0] };
-        let (place, s) = arc.at(0.5);
+        let (place, s) = arc.at::<2>(0.5).expect("a place");
         assert!((place[0]).abs() < 1e-15 && (place[1] - 3.0).abs() < 1e-15);
         assert!((s - std::f64::consts::PI).abs() < 1e-15);
     }

@@ -1,8 +1,9 @@
 //! The upper edge of the bodies.
 
+use super::only_in_the_plane;
 use crate::error::PostError;
-use crate::results::{Frame, FrameChoice, Results};
-use crate::selection::{Mesh, Selection};
+use crate::results::{Frame, FrameChoice, Results, bounds};
+use crate::selection::Selection;
 use crate::table::Table;
 
 /// Nodes of the upper edge at chosen times, from left to right: where they were at the start and
@@ -12,22 +13,18 @@ use crate::table::Table;
 /// the start, there is no other triangle; with one, the nodes of the selection.
 ///
 /// # Errors
-/// If the selection holds no node, there are no displacements, or a file cannot be read.
+/// If the bodies are in space, the selection holds no node, there are no displacements, or a file cannot be read.
 pub fn top_line(
     results: &mut Results,
     selection: Option<&Selection>,
     times: &[FrameChoice],
 ) -> Result<Table, PostError> {
+    let instead = "`line` from X,Y,Z to X,Y,Z, or `history` at nodes";
+    only_in_the_plane(results, "the top line", instead)?;
     let first = results.frame(0)?;
     let initial = first.initial();
     let mut nodes = match selection {
-        Some(selection) => selection.nodes(&Mesh {
-            initial: &initial,
-            node_set: first.node_set.as_deref(),
-            triangles: &first.triangles,
-            property: &first.property,
-            body: first.body.as_deref(),
-        })?,
+        Some(selection) => selection.nodes(&first.mesh(&initial))?,
         None => upper_nodes(&first, &initial),
     };
     let x = |n: &usize| initial.get(*n).map_or([f64::NAN; 2], |p| *p);
@@ -55,17 +52,17 @@ fn upper_nodes(frame: &Frame, initial: &[[f64; 2]]) -> Vec<usize> {
     let mut chosen = vec![false; initial.len()];
     // triangles ordered by their left ends, so that few have to be looked at for an edge
     let spans: Vec<[f64; 3]> = frame
-        .triangles
+        .elements
         .iter()
         .map(|&t| {
-            let [low, high] = Frame::bounds(&Frame::corners(t, initial)).unwrap_or_default();
+            let [low, high] = bounds(&Frame::corners(t, initial)).unwrap_or_default();
             [low[0], high[0], high[1]]
         })
         .collect();
     let mut order: Vec<usize> = (0..spans.len()).collect();
     order.sort_by(|&a, &b| spans[a][0].total_cmp(&spans[b][0]));
     let widest = spans.iter().map(|s| s[1] - s[0]).fold(0.0, f64::max);
-    for triangle in &frame.triangles {
+    for triangle in &frame.elements {
         for edge in 0..3 {
             let (a, b) = (triangle[edge], triangle[(edge + 1) % 3]);
             let corners = Frame::corners([a, b, a], initial);
@@ -81,7 +78,7 @@ fn upper_nodes(frame: &Frame, initial: &[[f64; 2]]) -> Vec<usize> {
                 .take_while(|&&t| spans[t][0] <= middle[0])
                 .filter(|&&t| spans[t][1] >= middle[0] && spans[t][2] > middle[1])
                 .any(|&t| {
-                    let other = Frame::corners(frame.triangles[t], initial);
+                    let other = Frame::corners(frame.elements[t], initial);
                     height_above(other, middle[0]).is_some_and(|y| y > middle[1] + 1e-6 * size)
                 });
             if !covered {
@@ -127,7 +124,7 @@ mod tests {
             [0.5, -0.2],
         ];
         let triangles = vec![[0, 1, 2], [0, 2, 3], [4, 5, 6]];
-        let frame = Frame { points: points.clone(), triangles, ..Frame::default() };
+        let frame = Frame { points: points.clone(), elements: triangles, ..Frame::default() };
         assert_eq!(upper_nodes(&frame, &points), [2, 3]);
     }
 }

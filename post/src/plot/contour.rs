@@ -13,6 +13,7 @@ use super::weld::{averaged, weld};
 use crate::error::PostError;
 use crate::field::{Field, FieldValues};
 use crate::results::Frame;
+use crate::vectors::bounds;
 
 /// Which numbers the colours cover.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -108,7 +109,7 @@ const WIDTHS: std::ops::RangeInclusive<u32> = 300..=8000;
 /// If the field is not in the frame, there is no triangle, or the options make no sense.
 pub fn contour(frame: &Frame, options: &ContourOptions) -> Result<Picture, PostError> {
     check(options)?;
-    if frame.triangles.is_empty() {
+    if frame.elements.is_empty() {
         return Err(PostError::Nothing("there are no triangles to draw".to_owned()));
     }
     let values = options.field.values(frame)?;
@@ -121,20 +122,20 @@ pub fn contour(frame: &Frame, options: &ContourOptions) -> Result<Picture, PostE
 
     let mut inside = Vec::new();
     let corners = match (&values, options.smooth) {
-        (FieldValues::Triangles(each), true) => Some(averaged(frame, each, &classes, count)),
-        (FieldValues::Triangles(_), false) => None,
+        (FieldValues::Elements(each), true) => Some(averaged(frame, each, &classes, count)),
+        (FieldValues::Elements(_), false) => None,
         (FieldValues::Nodes(_), _) => Some(values.corners(frame)),
     };
     inside.extend(match &corners {
         Some(corners) => banded(frame, &points, corners, axes, &colours),
-        None => flat(frame, &points, &values.of_triangles(frame), axes, &colours),
+        None => flat(frame, &points, &values.of_elements(frame), axes, &colours),
     });
     let to_pixels = |lines: Vec<Vec<[f64; 2]>>| -> Vec<Vec<[f64; 2]>> {
         lines.into_iter().map(|l| l.into_iter().map(|p| axes.pixel(p)).collect()).collect()
     };
     let line = |lines, colour, width, dash| Shape::Lines { lines, colour, width, dash };
     if options.edges {
-        let rings = frame.triangles.iter().map(|&t| {
+        let rings = frame.elements.iter().map(|&t| {
             let [a, b, c] = Frame::corners(t, &points);
             vec![a, b, c, a]
         });
@@ -216,14 +217,14 @@ impl Layout {
             Some(window) => window,
             None => {
                 let used = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
-                    let corners = frame.triangles.iter();
+                    let corners = frame.elements.iter();
                     corners.flat_map(|&t| Frame::corners(t, points)).collect()
                 };
                 let mut shown = used(points);
                 if options.undeformed {
                     shown.extend(used(initial));
                 }
-                let [low, high] = Frame::bounds(&shown)?;
+                let [low, high] = bounds(&shown)?;
                 let margin = 0.04 * (high[0] - low[0]).max(high[1] - low[1]);
                 let margin = if margin > 0.0 { margin } else { 1.0 };
                 [low.map(|x| x - margin), high.map(|x| x + margin)]

@@ -18,7 +18,7 @@ pub(super) fn flat(
     colours: &Colouring,
 ) -> Vec<Shape> {
     let mut of_colour: BTreeMap<Colour, Vec<Vec<[f64; 2]>>> = BTreeMap::new();
-    for (&triangle, &value) in frame.triangles.iter().zip(values) {
+    for (&triangle, &value) in frame.elements.iter().zip(values) {
         let ring = Frame::corners(triangle, points).map(|p| axes.pixel(p)).to_vec();
         let colour = if value.is_finite() {
             colours.colour(colours.middle(colours.shade(value), SHADES))
@@ -43,7 +43,7 @@ pub(super) fn banded(
     let of_band = |value: f64| {
         (((value - colours.low) / step).floor().clamp(0.0, (colours.bands - 1) as f64)) as usize
     };
-    for (&triangle, &values) in frame.triangles.iter().zip(values) {
+    for (&triangle, &values) in frame.elements.iter().zip(values) {
         let corners = Frame::corners(triangle, points).map(|p| axes.pixel(p));
         if !values.iter().all(|v| v.is_finite()) {
             of_colour.entry(colours.map.colour(f64::NAN)).or_default().push(corners.to_vec());

@@ -12,7 +12,7 @@ pub(super) fn outline(
     points: &[[f64; 2]],
 ) -> Vec<Vec<[f64; 2]>> {
     let mut edges: BTreeMap<[usize; 2], (u32, [u32; 2])> = BTreeMap::new();
-    for (triangle, class) in frame.triangles.iter().zip(classes) {
+    for (triangle, class) in frame.elements.iter().zip(classes) {
         for k in 0..3 {
             let next = (k + 1) % 3;
             let mut key = [class[k], class[next]];

@@ -25,7 +25,7 @@ pub(super) fn weld(frame: &Frame, initial: &[[f64; 2]]) -> (Vec<[usize; 3]>, usi
     };
     let apart = |a: [f64; 2], b: [f64; 2]| (a[0] - b[0]).hypot(a[1] - b[1]);
     let classes = frame
-        .triangles
+        .elements
         .iter()
         .enumerate()
         .map(|(index, triangle)| {
@@ -64,13 +64,13 @@ pub(super) fn weld(frame: &Frame, initial: &[[f64; 2]]) -> (Vec<[usize; 3]>, usi
 
 fn mean_edge(frame: &Frame, initial: &[[f64; 2]]) -> f64 {
     let mut sum = 0.0;
-    for &triangle in &frame.triangles {
+    for &triangle in &frame.elements {
         let [a, b, c] = Frame::corners(triangle, initial);
         for (p, q) in [(a, b), (b, c), (c, a)] {
             sum += (p[0] - q[0]).hypot(p[1] - q[1]);
         }
     }
-    sum / (3 * frame.triangles.len()).max(1) as f64
+    sum / (3 * frame.elements.len()).max(1) as f64
 }
 
 /// Values at corners: means over the triangles that meet there, by area.
@@ -81,7 +81,7 @@ pub(super) fn averaged(
     count: usize,
 ) -> Vec<[f64; 3]> {
     let mut sums = vec![[0.0; 2]; count];
-    for ((&triangle, class), &value) in frame.triangles.iter().zip(classes).zip(values) {
+    for ((&triangle, class), &value) in frame.elements.iter().zip(classes).zip(values) {
         let [a, b, c] = Frame::corners(triangle, &frame.points);
         let area = ((b[0] - a[0]) * (c[1] - a[1]) - (c[0] - a[0]) * (b[1] - a[1])).abs();
         for &vertex in class {
@@ -106,7 +106,7 @@ mod tests {
         Frame {
             points: initial.iter().zip(&moved).map(|(x, u)| [x[0] + u[0], x[1] + u[1]]).collect(),
             displacement: Some(moved.to_vec()),
-            triangles: vec![[0, 1, 2], [3, 4, 5]],
+            elements: vec![[0, 1, 2], [3, 4, 5]],
             property: vec![0, 0],
             body: Some(body),
             ..Frame::default()

@@ -1,70 +1,127 @@
 //! From states of d3plot families to frames.
 
-use yformat::d3plot::{FamilyReader, State};
+use yformat::d3plot::{FamilyReader, Geometry, State};
+use ypsilon_converters::stress_measures::plane;
 
 use super::frame::{Frame, Joint, JointState};
-use super::vtk::mean;
+use crate::vectors::{middle, minus};
 
-/// State number `index` of a family. Materials count from 0 as in the deck.
-pub(super) fn frame(reader: &mut FamilyReader, index: usize) -> Result<Frame, FrameError> {
+/// State number `index` of a family, whose dimension must be that of the frame. Materials count
+/// from 0 as in the deck.
+pub(super) fn frame<const D: usize, const C: usize>(
+    reader: &mut FamilyReader,
+    index: usize,
+) -> Result<Frame<D, C>, FrameError> {
     let state = reader.state(index)?;
     let (layout, geometry) = (reader.layout(), reader.geometry());
-    if !geometry.solids.is_empty() {
-        return Err(FrameError::Form("the family has solids; only plane results can be shown"));
-    }
     if !layout.vectors[0] {
         return Err(FrameError::Form("the states hold no coordinates"));
     }
-    let words = usize::try_from(layout.words_per_shell).unwrap_or(0);
-    let plane = |vectors: &[[f32; 3]]| -> Vec<[f64; 2]> {
-        vectors.iter().map(|v| [f64::from(v[0]), f64::from(v[1])]).collect()
+    let words = if D > 2 { layout.words_per_solid } else { layout.words_per_shell };
+    let words = usize::try_from(words).unwrap_or(0);
+    let values = if D > 2 { &state.solid_data } else { &state.shell_data };
+    let in_space = |vectors: &[[f32; 3]]| -> Vec<[f64; D]> {
+        vectors.iter().map(|v| std::array::from_fn(|axis| f64::from(v[axis]))).collect()
     };
-    let points = plane(&state.coordinates);
-    let initial = plane(&geometry.coordinates);
-    let moved = points.iter().zip(&initial).map(|(x, x0)| [x[0] - x0[0], x[1] - x0[1]]);
-    let displacement: Vec<[f64; 2]> = moved.collect();
+    let points = in_space(&state.coordinates);
+    let initial = in_space(&geometry.coordinates);
+    let moved = points.iter().zip(&initial).map(|(x, x0)| minus(*x, *x0));
+    let displacement: Vec<[f64; D]> = moved.collect();
     let mut frame = Frame {
         time: f64::from(state.time),
         kinetic_energy: state.globals.first().map(|&e| f64::from(e)),
-        velocity: layout.vectors[1].then(|| plane(&state.velocities)),
+        velocity: layout.vectors[1].then(|| in_space(&state.velocities)),
         ..Frame::default()
     };
     let mut stress = Vec::new();
-    for (index, shell) in geometry.shells.iter().enumerate() {
-        let nodes = shell.nodes.map(|n| (i64::from(n) - 1) as u32);
-        if shell.is_triangle() {
-            let start = index * words;
-            let values = state.shell_data.get(start..start + words).unwrap_or(&[]);
-            let value = |i: usize| values.get(i).map_or(0.0, |&v| f64::from(v));
-            frame.triangles.push([nodes[0], nodes[1], nodes[2]]);
-            frame.property.push(shell.material.saturating_sub(1));
-            stress.push([value(0), value(1), value(2), value(3)]);
-        } else {
-            let place = |i: usize| points.get(nodes[i] as usize).copied().unwrap_or([f64::NAN; 2]);
-            let shift =
-                |i: usize| displacement.get(nodes[i] as usize).copied().unwrap_or([f64::NAN; 2]);
-            let deleted = is_deleted(&state, index);
-            frame.joints.push(Joint {
-                ends: [mean(place(0), place(1)), mean(place(3), place(2))],
-                displacement: [mean(shift(0), shift(1)), mean(shift(3), shift(2))],
-                state: if deleted { JointState::Broken } else { JointState::Intact },
-                set: None,
-                damage: None,
-                opening: None,
-                sliding: None,
-                mode: None,
-            });
+    for (index, (shape, material)) in shapes::<D, C>(geometry).enumerate() {
+        match shape {
+            Some(Shape::Element(corners)) => {
+                let start = index * words;
+                let values = values.get(start..start + words).unwrap_or(&[]);
+                let value = |i: usize| values.get(i).map_or(0.0, |&v| f64::from(v));
+                frame.elements.push(corners.map(|n| (i64::from(n) - 1) as u32));
+                frame.property.push(material.saturating_sub(1));
+                stress.push(match D {
+                    2 => plane(value(0), value(1), value(2), value(3)),
+                    _ => std::array::from_fn(value),
+                });
+            }
+            Some(Shape::Joint(sides)) => {
+                let halfway = |vectors: &[[f64; D]]| {
+                    let at = |n: i32| {
+                        vectors.get((i64::from(n) - 1) as usize).copied().unwrap_or([f64::NAN; D])
+                    };
+                    sides.map(|[a, b]| middle(at(a), at(b)))
+                };
+                let deleted = is_deleted(&state, index);
+                frame.joints.push(Joint {
+                    ends: halfway(&points),
+                    displacement: halfway(&displacement),
+                    state: if deleted { JointState::Broken } else { JointState::Intact },
+                    set: None,
+                    damage: None,
+                    opening: None,
+                    sliding: None,
+                    mode: None,
+                });
+            }
+            None => {
+                return Err(FrameError::Form(
+                    "the family has solids of 8 nodes; expected tetrahedra and joints",
+                ));
+            }
         }
     }
-    frame.stress = (words >= 4).then_some(stress);
+    let least = if D > 2 { 6 } else { 4 };
+    frame.stress = (words >= least).then_some(stress);
     frame.points = points;
     frame.displacement = Some(displacement);
     frame.check().map_err(FrameError::Damaged)?;
     Ok(frame)
 }
 
-fn is_deleted(state: &State, shell: usize) -> bool {
-    state.deletion_table.get(shell) == Some(&0.0)
+/// What an element of a family is, by numbers of nodes from 1.
+enum Shape<const D: usize, const C: usize> {
+    /// Corners of a triangle or tetrahedron.
+    Element([i32; C]),
+    /// Pairs of nodes that lie on the two sides of a joint.
+    Joint([[i32; 2]; D]),
+}
+
+/// The shells (plane) or solids (space) of a family with their materials; none for what is
+/// neither body nor joint.
+fn shapes<const D: usize, const C: usize>(
+    geometry: &Geometry,
+) -> impl Iterator<Item = (Option<Shape<D, C>>, i32)> {
+    let element = |nodes: &[i32]| nodes.get(..C)?.try_into().ok().map(Shape::Element);
+    let joint = |sides: &[[i32; 2]]| sides.try_into().ok().map(Shape::Joint);
+    let (shells, solids) = match D {
+        2 => (&geometry.shells[..], &[][..]),
+        _ => (&[][..], &geometry.solids[..]),
+    };
+    let shells = shells.iter().map(move |shell| {
+        let n = shell.nodes;
+        let is_triangle = shell.is_triangle();
+        (
+            if is_triangle { element(&n) } else { joint(&[[n[0], n[1]], [n[3], n[2]]]) },
+            shell.material,
+        )
+    });
+    let solids = solids.iter().map(move |solid| {
+        let n = solid.nodes;
+        let shape = match (solid.is_tetrahedron(), solid.is_wedge()) {
+            (true, _) => element(&n),
+            (_, true) => joint(&[[n[0], n[3]], [n[1], n[2]], [n[4], n[6]]]),
+            _ => None,
+        };
+        (shape, solid.material)
+    });
+    shells.chain(solids)
+}
+
+fn is_deleted(state: &State, element: usize) -> bool {
+    state.deletion_table.get(element) == Some(&0.0)
 }
 
 /// Why a state is no frame.

@@ -1,8 +1,9 @@
 //! The state at one time.
 
-use ypsilon_converters::stress_measures::{SymmetricTensor, plane};
+use ypsilon_converters::stress_measures::SymmetricTensor;
 
-use crate::error::PostError;
+use crate::selection::Mesh;
+use crate::vectors::{area_between, length, minus};
 
 /// How a joint is doing.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
@@ -15,13 +16,13 @@ pub enum JointState {
     Broken,
 }
 
-/// A joint, as a line along its middle.
+/// A joint, halfway between its two sides: a line in the plane, a triangle in space.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Joint {
-    /// Its two ends where they are now, m.
-    pub ends: [[f64; 2]; 2],
-    /// What the ends have moved, m.
-    pub displacement: [[f64; 2]; 2],
+pub struct Joint<const D: usize = 2> {
+    /// The two ends of the line or the three corners of the triangle where they are now, m.
+    pub ends: [[f64; D]; D],
+    /// What they have moved, m.
+    pub displacement: [[f64; D]; D],
     /// How it is doing.
     pub state: JointState,
     /// Joint set, where known.
@@ -36,60 +37,98 @@ pub struct Joint {
     pub mode: Option<f64>,
 }
 
-/// Bodies and joints at one time. Parts that the files leave out are `None`.
+impl<const D: usize> Joint<D> {
+    /// Length in the plane, m; area in space, m².
+    #[must_use]
+    pub fn extent(&self) -> f64 {
+        match self.ends[..] {
+            [a, b] => length(minus(b, a)),
+            [a, b, c] => 0.5 * area_between(minus(b, a), minus(c, a)),
+            _ => f64::NAN,
+        }
+    }
+}
+
+/// Bodies and joints at one time, in `D` dimensions: elements with `C` corners, triangles in the
+/// plane (2, 3) or tetrahedra in space (3, 4). Parts that the files leave out are `None`.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub struct Frame {
+pub struct Frame<const D: usize = 2, const C: usize = 3> {
     /// Time, s.
     pub time: f64,
     /// Kinetic energy that the file tells, J.
     pub kinetic_energy: Option<f64>,
     /// Current coordinates, m.
-    pub points: Vec<[f64; 2]>,
+    pub points: Vec<[f64; D]>,
     /// Displacements, m.
-    pub displacement: Option<Vec<[f64; 2]>>,
+    pub displacement: Option<Vec<[f64; D]>>,
     /// Velocities, m/s.
-    pub velocity: Option<Vec<[f64; 2]>>,
+    pub velocity: Option<Vec<[f64; D]>>,
     /// Nodal forces (internal, joints, contact, edge loads), N.
-    pub force: Option<Vec<[f64; 2]>>,
+    pub force: Option<Vec<[f64; D]>>,
     /// Nodal masses, kg.
     pub mass: Option<Vec<f64>>,
     /// Node set of each node.
     pub node_set: Option<Vec<i32>>,
-    /// Corners of the triangles.
-    pub triangles: Vec<[u32; 3]>,
-    /// Property (material) of each triangle, as the deck counts: from 0.
+    /// Corners of the triangles or tetrahedra.
+    pub elements: Vec<[u32; C]>,
+    /// Nodes in the middle of the edges 01, 12, 20, 03, 13 and 23 of tetrahedra that have them;
+    /// empty where no element has.
+    pub edge_nodes: Vec<Option<[u32; 6]>>,
+    /// Property (material) of each element, as the deck counts: from 0.
     pub property: Vec<i32>,
-    /// Body of each triangle.
+    /// Body of each element.
     pub body: Option<Vec<i32>>,
-    /// Cauchy stress of each triangle, xx, yy, zz, xy, Pa, tension positive.
-    pub stress: Option<Vec<[f64; 4]>>,
-    /// Damage of each triangle.
+    /// Cauchy stress of each element, xx, yy, zz, xy, yz, xz, Pa, tension positive.
+    pub stress: Option<Vec<SymmetricTensor>>,
+    /// Damage of each element.
     pub damage: Option<Vec<f64>>,
     /// Joints.
-    pub joints: Vec<Joint>,
+    pub joints: Vec<Joint<D>>,
 }
 
-impl Frame {
+impl<const D: usize, const C: usize> Frame<D, C> {
     /// Where the nodes were at the start, m: where they are now if no displacements are known.
     #[must_use]
-    pub fn initial(&self) -> Vec<[f64; 2]> {
+    pub fn initial(&self) -> Vec<[f64; D]> {
         match &self.displacement {
             Some(moved) => self.points.iter().zip(moved).map(|(x, u)| minus(*x, *u)).collect(),
             None => self.points.clone(),
         }
     }
 
-    /// Stress of triangle `index` as a tensor.
+    /// Corners of an element among `points`.
     #[must_use]
-    pub fn stress_of(&self, index: usize) -> Option<SymmetricTensor> {
-        let &[xx, yy, zz, xy] = self.stress.as_ref()?.get(index)?;
-        Some(plane(xx, yy, zz, xy))
+    pub fn corners(element: [u32; C], points: &[[f64; D]]) -> [[f64; D]; C] {
+        element.map(|n| points.get(n as usize).copied().unwrap_or([f64::NAN; D]))
     }
 
-    /// Corners of a triangle among `points`.
+    /// What a selection of nodes is made among, with the places of the nodes at the start.
     #[must_use]
-    pub fn corners(triangle: [u32; 3], points: &[[f64; 2]]) -> [[f64; 2]; 3] {
-        triangle.map(|n| points.get(n as usize).copied().unwrap_or([f64::NAN; 2]))
+    pub fn mesh<'a>(&'a self, initial: &'a [[f64; D]]) -> Mesh<'a, D, C> {
+        Mesh {
+            initial,
+            node_set: self.node_set.as_deref(),
+            elements: &self.elements,
+            edge_nodes: &self.edge_nodes,
+            property: &self.property,
+            body: self.body.as_deref(),
+        }
+    }
+
+    /// Values at the nodes of an element, corners first, each with its weight where the corners
+    /// have these weights: the element's shape functions, linear or quadratic.
+    pub fn shape(&self, element: usize, weights: [f64; C]) -> impl Iterator<Item = (u32, f64)> {
+        let corners = self.elements.get(element).copied().unwrap_or([u32::MAX; C]);
+        let edge_nodes = self.edge_nodes.get(element).copied().flatten();
+        let at = move |corner: usize| weights.get(corner).copied().unwrap_or(0.0);
+        let is_quadratic = edge_nodes.is_some();
+        let of_corners = corners
+            .into_iter()
+            .zip(weights)
+            .map(move |(node, w)| (node, if is_quadratic { w * (2.0 * w - 1.0) } else { w }));
+        let edges = [(0, 1), (1, 2), (2, 0), (0, 3), (1, 3), (2, 3)];
+        let of_edges = edge_nodes.into_iter().flatten().zip(edges);
+        of_corners.chain(of_edges.map(move |(node, (a, b))| (node, 4.0 * at(a) * at(b))))
     }
 
     /// Kinetic energy: of masses and velocities where both are known, or as the file tells it.
@@ -97,38 +136,22 @@ impl Frame {
     pub fn energy(&self) -> Option<f64> {
         match (&self.mass, &self.velocity) {
             (Some(mass), Some(velocity)) => {
+                let square = |v: &[f64; D]| v.iter().map(|x| x * x).sum::<f64>();
                 let each = mass.iter().zip(velocity);
-                Some(each.map(|(m, v)| 0.5 * m * (v[0] * v[0] + v[1] * v[1])).sum())
+                Some(each.map(|(m, v)| 0.5 * m * square(v)).sum())
             }
             _ => self.kinetic_energy,
         }
     }
 
-    /// Smallest and largest coordinates, m.
-    ///
-    /// # Errors
-    /// If no node has finite coordinates.
-    pub fn bounds(points: &[[f64; 2]]) -> Result<[[f64; 2]; 2], PostError> {
-        let mut bounds = [[f64::INFINITY; 2], [f64::NEG_INFINITY; 2]];
-        for point in points.iter().filter(|p| p.iter().all(|x| x.is_finite())) {
-            for axis in 0..2 {
-                bounds[0][axis] = bounds[0][axis].min(point[axis]);
-                bounds[1][axis] = bounds[1][axis].max(point[axis]);
-            }
-        }
-        if bounds[0][0] <= bounds[1][0] {
-            Ok(bounds)
-        } else {
-            Err(PostError::Nothing("no node has finite coordinates".to_owned()))
-        }
-    }
-
-    /// Every triangle and every array must fit the points.
+    /// Every element and every array must fit the points.
     pub(super) fn check(&self) -> Result<(), String> {
-        let points = self.points.len();
-        let worst = self.triangles.iter().flatten().max();
+        let (points, elements) = (self.points.len(), self.elements.len());
+        let on_edges = self.edge_nodes.iter().flatten().flatten();
+        let worst = self.elements.iter().flatten().chain(on_edges).max();
         if let Some(node) = worst.filter(|&&node| node as usize >= points) {
-            return Err(format!("a triangle names node {node}; nodes run from 0 to {points} - 1"));
+            let name = element_name(D);
+            return Err(format!("a {name} names node {node}; nodes run from 0 to {points} - 1"));
         }
         let lengths = [
             ("displacements", self.displacement.as_ref().map(Vec::len), points),
@@ -136,10 +159,10 @@ impl Frame {
             ("forces", self.force.as_ref().map(Vec::len), points),
             ("masses", self.mass.as_ref().map(Vec::len), points),
             ("node sets", self.node_set.as_ref().map(Vec::len), points),
-            ("properties", Some(self.property.len()), self.triangles.len()),
-            ("bodies", self.body.as_ref().map(Vec::len), self.triangles.len()),
-            ("stresses", self.stress.as_ref().map(Vec::len), self.triangles.len()),
-            ("damages", self.damage.as_ref().map(Vec::len), self.triangles.len()),
+            ("properties", Some(self.property.len()), elements),
+            ("bodies", self.body.as_ref().map(Vec::len), elements),
+            ("stresses", self.stress.as_ref().map(Vec::len), elements),
+            ("damages", self.damage.as_ref().map(Vec::len), elements),
         ];
         for (name, found, expected) in lengths {
             if let Some(found) = found.filter(|&found| found != expected) {
@@ -150,6 +173,46 @@ impl Frame {
     }
 }
 
-pub(crate) fn minus(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    [a[0] - b[0], a[1] - b[1]]
+/// What the elements of so many dimensions are called.
+pub(crate) fn element_name(dimension: usize) -> &'static str {
+    if dimension > 2 { "tetrahedron" } else { "triangle" }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn shape_functions_are_linear_at_corners_and_quadratic_with_nodes_on_edges() {
+        let frame = Frame::<3, 4> { elements: vec![[4, 5, 6, 7]], ..Frame::default() };
+        let weights = [0.5, 0.25, 0.125, 0.125];
+        let linear: Vec<_> = frame.shape(0, weights).collect();
+        assert_eq!(linear, [(4, 0.5), (5, 0.25), (6, 0.125), (7, 0.125)]);
+        let edge_nodes = vec![Some([8, 9, 10, 11, 12, 13])];
+        let frame = Frame { edge_nodes, ..frame };
+        let quadratic: Vec<_> = frame.shape(0, weights).collect();
+        assert_eq!(quadratic.len(), 10);
+        assert_eq!(quadratic[4], (8, 0.5));
+        assert_eq!(quadratic[9], (13, 0.0625));
+        assert!((quadratic.iter().map(|(_, w)| w).sum::<f64>() - 1.0).abs() < 1e-15);
+        // one at a node on an edge, none elsewhere
+        let middle: Vec<_> = frame.shape(0, [0.0, 0.5, 0.0, 0.5]).filter(|w| w.1 != 0.0).collect();
+        assert_eq!(middle, [(12, 1.0)]);
+    }
+
+    #[test]
+    fn joints_have_length_or_area() {
+        let joint = |ends| Joint {
+            ends,
+            displacement: [[0.0; 3]; 3],
+            state: JointState::Broken,
+            set: None,
+            damage: None,
+            opening: None,
+            sliding: None,
+            mode: None,
+        };
+        let corners = [[0.0, 0.0, 1.0], [0.0, 2.0, 1.0], [0.0, 0.0, 4.0]];
+        assert_eq!(joint(corners).extent(), 3.0);
+    }
 }

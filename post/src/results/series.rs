@@ -10,14 +10,17 @@ use ypsilon_converters::vtk::{read_pvd, read_vtu};
 
 use super::d3plot::{FrameError, frame};
 use super::frame::Frame;
-use super::vtk::{bodies, joints};
+use super::vtk::{bodies, dimension, joints, time};
 use crate::error::{PostError, at};
+use crate::point::in_words;
 
 /// Results of a run on disk: frames are read one at a time.
 pub struct Results {
     path: PathBuf,
     times: Vec<f64>,
     source: Source,
+    /// Number of dimensions, where it has been looked up.
+    dimension: Option<usize>,
 }
 
 enum Source {
@@ -78,14 +81,16 @@ impl Results {
             let reader = FamilyReader::open(path)
                 .map_err(|source| PostError::D3plot { path: path.to_path_buf(), source })?;
             let times = reader.times().iter().map(|&t| f64::from(t)).collect();
-            Self { path: path.to_path_buf(), times, source: Source::D3plot(Box::new(reader)) }
+            let dimension = Some(if reader.geometry().solids.is_empty() { 2 } else { 3 });
+            let source = Source::D3plot(Box::new(reader));
+            Self { path: path.to_path_buf(), times, source, dimension }
         } else if holds(&head, "type=\"Collection\"") {
             Self::collection(path)?
         } else if holds(&head, "type=\"UnstructuredGrid\"") {
-            let frame = bodies(&read_vtu(path)?).map_err(no_results)?;
+            let grid = read_vtu(path)?;
             let files = VtuFiles { bodies: path.to_path_buf(), joints: joints_beside(path) };
-            let source = Source::Vtu(vec![files]);
-            Self { path: path.to_path_buf(), times: vec![frame.time], source }
+            let (times, source) = (vec![time(&grid)], Source::Vtu(vec![files]));
+            Self { path: path.to_path_buf(), times, source, dimension: Some(dimension(&grid)) }
         } else {
             return Err(no_results(
                 "expected a .pvd collection, a .vtu file or a d3plot family; \
@@ -117,7 +122,7 @@ impl Results {
                 _ => {}
             }
         }
-        Ok(Self { path: path.to_path_buf(), times, source: Source::Vtu(files) })
+        Ok(Self { path: path.to_path_buf(), times, source: Source::Vtu(files), dimension: None })
     }
 
     /// The file that was opened.
@@ -165,36 +170,93 @@ impl Results {
         }
     }
 
-    /// Reads frame number `index`.
+    /// Number of dimensions: 2 for triangles in the plane, 3 for tetrahedra in space.
     ///
     /// # Errors
-    /// If its files cannot be read or hold no plane results.
+    /// If the file of the first time cannot be read.
+    pub fn dimension(&mut self) -> Result<usize, PostError> {
+        if let Some(dimension) = self.dimension {
+            return Ok(dimension);
+        }
+        let first = match &self.source {
+            Source::Vtu(files) => files.first(),
+            Source::D3plot(_) => None,
+        };
+        let found = match first {
+            Some(files) => dimension(&read_vtu(&files.bodies)?),
+            None => 2,
+        };
+        Ok(*self.dimension.insert(found))
+    }
+
+    /// Reads frame number `index` of plane results.
+    ///
+    /// # Errors
+    /// If its files cannot be read or hold bodies in space.
     pub fn frame(&mut self, index: usize) -> Result<Frame, PostError> {
+        self.frame_in(index)
+    }
+
+    /// Reads frame number `index` of results in `D` dimensions, whose elements have `C` corners:
+    /// 2 and 3, or 3 and 4.
+    ///
+    /// # Errors
+    /// If its files cannot be read or hold bodies of other dimensions.
+    pub fn frame_in<const D: usize, const C: usize>(
+        &mut self,
+        index: usize,
+    ) -> Result<Frame<D, C>, PostError> {
         let no_state = || PostError::Nothing(format!("there is no state #{index}"));
         let time = *self.times.get(index).ok_or_else(no_state)?;
         let wrong = |path: &Path, message: String| PostError::NoResults {
             path: path.to_path_buf(),
             message,
         };
+        let fits = |path: &Path, found: usize| {
+            let instead = if D == 2 { "; `ypsilon extract` makes tables of them" } else { "" };
+            let [found_in, expected] = [found, D].map(in_words);
+            let message = format!("bodies {found_in}, expected bodies {expected}{instead}");
+            if found == D { Ok(()) } else { Err(wrong(path, message)) }
+        };
         match &mut self.source {
             Source::Vtu(files) => {
                 let files = files.get(index).ok_or_else(no_state)?;
-                let mut frame =
-                    bodies(&read_vtu(&files.bodies)?).map_err(|m| wrong(&files.bodies, m))?;
+                let grid = read_vtu(&files.bodies)?;
+                if !grid.cells.is_empty() {
+                    fits(&files.bodies, dimension(&grid))?;
+                }
+                let mut frame = bodies(&grid).map_err(|m| wrong(&files.bodies, m))?;
                 frame.time = time;
                 if let Some(path) = &files.joints {
                     frame.joints = joints(&read_vtu(path)?);
                 }
                 Ok(frame)
             }
-            Source::D3plot(reader) => frame(reader, index).map_err(|error| match error {
-                FrameError::Read(source) => PostError::D3plot { path: self.path.clone(), source },
-                FrameError::Form(message) => wrong(&self.path, message.to_owned()),
-                FrameError::Damaged(message) => wrong(&self.path, message),
-            }),
+            Source::D3plot(reader) => {
+                fits(&self.path, if reader.geometry().solids.is_empty() { 2 } else { 3 })?;
+                frame(reader, index).map_err(|error| match error {
+                    FrameError::Read(source) => {
+                        PostError::D3plot { path: self.path.clone(), source }
+                    }
+                    FrameError::Form(message) => wrong(&self.path, message.to_owned()),
+                    FrameError::Damaged(message) => wrong(&self.path, message),
+                })
+            }
         }
     }
 }
+
+/// Calls a function that is generic over the dimension and the number of corners with those of
+/// some [`Results`].
+macro_rules! by_dimension {
+    ($results:expr, $function:ident($($argument:expr),* $(,)?)) => {
+        match $results.dimension()? {
+            2 => $function::<2, 3>($results, $($argument),*),
+            _ => $function::<3, 4>($results, $($argument),*),
+        }
+    };
+}
+pub(crate) use by_dimension;
 
 fn holds(head: &[u8], words: &str) -> bool {
     head.windows(words.len()).any(|window| window == words.as_bytes())

@@ -1,63 +1,92 @@
 //! From grids of `.vtu` files to frames.
 
+use ypsilon_converters::stress_measures::{SymmetricTensor, plane};
 use ypsilon_converters::vtk::{CellType, Cells, DataArray, UnstructuredGrid, Values};
 
-use super::frame::{Frame, Joint, JointState, minus};
+use super::frame::{Frame, Joint, JointState};
+use crate::vectors::middle;
 
-/// A frame with the bodies of a grid.
-pub(super) fn bodies(grid: &UnstructuredGrid) -> Result<Frame, String> {
-    let mut triangles = Vec::with_capacity(grid.cells.len());
+/// 3 for a grid with solids, otherwise 2.
+pub(super) fn dimension(grid: &UnstructuredGrid) -> usize {
+    let is_solid = |kind: Option<CellType>| {
+        use CellType::{Hexahedron, QuadraticTetra, Tetra, Wedge};
+        matches!(kind, Some(Tetra | QuadraticTetra | Hexahedron | Wedge))
+    };
+    if cells(&grid.cells).any(|(kind, _)| is_solid(kind)) { 3 } else { 2 }
+}
+
+/// The time of a grid, s; 0 if it does not tell.
+pub(super) fn time(grid: &UnstructuredGrid) -> f64 {
+    field(grid, "TimeValue").unwrap_or(0.0)
+}
+
+/// A frame with the bodies of a grid: its triangles, or its tetrahedra.
+pub(super) fn bodies<const D: usize, const C: usize>(
+    grid: &UnstructuredGrid,
+) -> Result<Frame<D, C>, String> {
+    let mut elements = Vec::with_capacity(grid.cells.len());
+    let mut edge_nodes = Vec::new();
     let mut shown = Vec::with_capacity(grid.cells.len());
-    for (index, (kind, corners)) in cells(&grid.cells).enumerate() {
-        match (kind, corners) {
-            (Some(CellType::Triangle), &[a, b, c]) => {
-                triangles.push([a as u32, b as u32, c as u32]);
-                shown.push(index);
+    for (index, (kind, nodes)) in cells(&grid.cells).enumerate() {
+        let corners = match (D, kind) {
+            (2, Some(CellType::Triangle)) | (3, Some(CellType::Tetra)) => nodes,
+            (3, Some(CellType::QuadraticTetra)) => {
+                let (corners, edges) = nodes.split_at_checked(C).unwrap_or((&[], &[]));
+                edge_nodes.resize(elements.len(), None);
+                edge_nodes
+                    .push(edges.try_into().ok().map(|edges: [i64; 6]| edges.map(|n| n as u32)));
+                corners
             }
-            (
-                Some(
-                    CellType::Tetra
-                    | CellType::QuadraticTetra
-                    | CellType::Hexahedron
-                    | CellType::Wedge,
-                ),
-                _,
-            ) => {
-                return Err("the grid has solids; only plane results can be shown".to_owned());
+            (3, Some(CellType::Hexahedron | CellType::Wedge)) => {
+                return Err("the grid has solids that are no tetrahedra; expected tetrahedra \
+                            alone"
+                    .to_owned());
             }
-            _ => {}
+            _ => continue,
+        };
+        if let Ok(corners) = <[i64; C]>::try_from(corners) {
+            elements.push(corners.map(|n| n as u32));
+            shown.push(index);
         }
+    }
+    if !edge_nodes.is_empty() {
+        edge_nodes.resize(elements.len(), None);
     }
     let of_points = |name| vectors(&grid.point_data, name);
     let pick = |values: Vec<f64>| -> Vec<f64> {
         shown.iter().map(|&i| values.get(i).copied().unwrap_or(f64::NAN)).collect()
     };
-    let stress = tensors(&grid.cell_data)
-        .map(|all| shown.iter().map(|&i| all.get(i).copied().unwrap_or([f64::NAN; 4])).collect());
+    let stress = tensors(&grid.cell_data).map(|all| {
+        let of = |&i: &usize| all.get(i).copied().unwrap_or([f64::NAN; 6]);
+        let of_plane = |s: SymmetricTensor| if D > 2 { s } else { plane(s[0], s[1], s[2], s[3]) };
+        shown.iter().map(of).map(of_plane).collect()
+    });
     let of_cells = |name| scalars(&grid.cell_data, name).map(pick);
     let property = of_cells("material property ID");
     let frame = Frame {
-        time: field(grid, "TimeValue").unwrap_or(0.0),
+        time: time(grid),
         kinetic_energy: field(grid, "kinetic energy"),
-        points: grid.points.iter().map(|p| [p[0], p[1]]).collect(),
+        points: grid.points.iter().map(first).collect(),
         displacement: of_points("displacement"),
         velocity: of_points("velocity"),
         force: of_points("force"),
         mass: scalars(&grid.point_data, "mass"),
         node_set: scalars(&grid.point_data, "boundary condition ID").map(integers),
-        property: property.map_or_else(|| vec![0; triangles.len()], integers),
+        property: property.map_or_else(|| vec![0; elements.len()], integers),
         body: of_cells("body ID").map(integers),
         stress,
         damage: of_cells("damage"),
-        triangles,
+        elements,
+        edge_nodes,
         joints: Vec::new(),
     };
     frame.check()?;
     Ok(frame)
 }
 
-/// The joints of a grid of joints: lines, or quads with their sides first and third.
-pub(super) fn joints(grid: &UnstructuredGrid) -> Vec<Joint> {
+/// The joints of a grid of joints. In the plane lines, or quads with their sides first and third;
+/// in space wedges.
+pub(super) fn joints<const D: usize>(grid: &UnstructuredGrid) -> Vec<Joint<D>> {
     let of_cells = |name| scalars(&grid.cell_data, name);
     let state = of_cells("joint state");
     let deleted = of_cells("deleted");
@@ -69,29 +98,28 @@ pub(super) fn joints(grid: &UnstructuredGrid) -> Vec<Joint> {
     };
     let place = |point: i64| {
         let x = usize::try_from(point).ok().and_then(|i| grid.points.get(i));
-        x.map_or([f64::NAN; 2], |x| [x[0], x[1]])
+        x.map_or([f64::NAN; D], first)
     };
     let displaced = |point: i64| {
         let u = usize::try_from(point).ok().and_then(|i| moved.get(i));
-        u.copied().unwrap_or([0.0; 2])
+        u.copied().unwrap_or([0.0; D])
     };
-    let joint = |(index, (kind, corners)): (usize, (Option<CellType>, &[i64]))| {
-        let (ends, displacement) = match (kind, corners) {
-            (Some(CellType::Line), &[a, b]) => ([a, b].map(place), [a, b].map(displaced)),
-            (Some(CellType::Quad), &[a, d, c, b]) => (
-                [mean(place(a), place(d)), mean(place(b), place(c))],
-                [mean(displaced(a), displaced(d)), mean(displaced(b), displaced(c))],
-            ),
+    let joint = |(index, (kind, nodes)): (usize, (Option<CellType>, &[i64]))| {
+        let sides = match (kind, nodes) {
+            (Some(CellType::Line), &[a, b]) => vec![[a, a], [b, b]],
+            (Some(CellType::Quad), &[a, d, c, b]) => vec![[a, d], [b, c]],
+            (Some(CellType::Wedge), &[a, b, c, d, e, f]) => vec![[a, d], [b, e], [c, f]],
             _ => return None,
         };
+        let sides: [[i64; 2]; D] = sides.try_into().ok()?;
         let state = match (at(&state, index), at(&deleted, index)) {
             (Some(2.0), _) | (None, Some(1.0)) => JointState::Broken,
             (Some(1.0), _) => JointState::Softening,
             _ => JointState::Intact,
         };
         Some(Joint {
-            ends,
-            displacement,
+            ends: sides.map(|[a, b]| middle(place(a), place(b))),
+            displacement: sides.map(|[a, b]| middle(displaced(a), displaced(b))),
             state,
             set: at(&set, index).map(|s| s as i32),
             damage: at(&damage, index),
@@ -101,11 +129,6 @@ pub(super) fn joints(grid: &UnstructuredGrid) -> Vec<Joint> {
         })
     };
     cells(&grid.cells).enumerate().filter_map(joint).collect()
-}
-
-pub(super) fn mean(a: [f64; 2], b: [f64; 2]) -> [f64; 2] {
-    let half = minus(b, a).map(|d| 0.5 * d);
-    [a[0] + half[0], a[1] + half[1]]
 }
 
 fn cells(cells: &Cells) -> impl Iterator<Item = (Option<CellType>, &[i64])> {
@@ -140,15 +163,19 @@ fn integers(values: Vec<f64>) -> Vec<i32> {
     values.into_iter().map(|v| v as i32).collect()
 }
 
-fn vectors(arrays: &[DataArray], name: &str) -> Option<Vec<[f64; 2]>> {
-    let array = array(arrays, name).filter(|a| a.components.count() == 3)?;
-    Some(numbers(&array.values).as_chunks::<3>().0.iter().map(|v| [v[0], v[1]]).collect())
+/// The first components of a vector, as many as there are dimensions.
+fn first<const D: usize>(v: &[f64; 3]) -> [f64; D] {
+    std::array::from_fn(|axis| v[axis])
 }
 
-fn tensors(arrays: &[DataArray]) -> Option<Vec<[f64; 4]>> {
+fn vectors<const D: usize>(arrays: &[DataArray], name: &str) -> Option<Vec<[f64; D]>> {
+    let array = array(arrays, name).filter(|a| a.components.count() == 3)?;
+    Some(numbers(&array.values).as_chunks::<3>().0.iter().map(first).collect())
+}
+
+fn tensors(arrays: &[DataArray]) -> Option<Vec<SymmetricTensor>> {
     let array = array(arrays, "Cauchy stress").filter(|a| a.components.count() == 6)?;
-    let tensors = numbers(&array.values);
-    Some(tensors.as_chunks::<6>().0.iter().map(|s| [s[0], s[1], s[2], s[3]]).collect())
+    Some(numbers(&array.values).as_chunks::<6>().0.to_vec())
 }
 
 fn field(grid: &UnstructuredGrid, name: &str) -> Option<f64> {

@@ -95,6 +95,11 @@ pub enum Role {
     Recomputed,
     /// It is read and never looked at.
     NoEffect,
+    /// Programs that read it use it, Ypsilon does not look at it.
+    Ignored,
+    /// It asks for what is not simulated, told in these words: decks in which it is above 0
+    /// (integers) or other than 0 (reals) are refused.
+    Refused(&'static str),
 }
 
 /// All that is known about one keyword of one dialect.
@@ -223,6 +228,16 @@ impl Keyword {
 
     pub(super) const fn no_effect(mut self) -> Self {
         self.role = Role::NoEffect;
+        self
+    }
+
+    pub(super) const fn ignored(mut self) -> Self {
+        self.role = Role::Ignored;
+        self
+    }
+
+    pub(super) const fn refused(mut self, what: &'static str) -> Self {
+        self.role = Role::Refused(what);
         self
     }
 

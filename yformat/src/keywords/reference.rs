@@ -60,6 +60,8 @@ fn row(keyword: &Keyword) -> String {
         Role::Only3d => "3D only",
         Role::Recomputed => "recomputed",
         Role::NoEffect => "no effect",
+        Role::Ignored => "ignored",
+        Role::Refused(_) => "refused",
     };
     format!(
         "| {} | {kind}{extents} | {default} | {} | {role} | {} |\n",

@@ -6,6 +6,7 @@ use ypsilon::{
     session::Format,
 };
 use ypsilon_post::{
+    Point,
     extract::{Path, along, top_line},
     field::Field,
     results::{Frame, FrameChoice, JointState, Results},
@@ -182,7 +183,7 @@ impl BridgeRun {
         let masonry =
             stress.iter().zip(&middles).filter(|(_, at)| at[0].abs() < self.half_length());
         masonry
-            .map(|(&[_, yy, _, _], &at)| (-yy, at))
+            .map(|(&[_, yy, ..], &at)| (-yy, at))
             .max_by(|a, b| a.0.total_cmp(&b.0))
             .unwrap_or((f64::NAN, [f64::NAN; 2]))
     }
@@ -204,7 +205,7 @@ impl BridgeRun {
     /// have moved from one time to another on average \[m\].
     pub fn top(&mut self, from: Option<f64>, to: f64) -> Result<Vec<[f64; 2]>, CaseError> {
         let (half, height) = (self.half_length(), self.bridge.height_m);
-        let selection = Selection::Line([[-half, height], [half, height]]);
+        let selection = Selection::Line([[-half, height], [half, height]].map(Point::Plane));
         let mut times = vec![FrameChoice::Time(to)];
         times.extend(from.map(FrameChoice::Time));
         let table = top_line(&mut self.results, Some(&selection), &times)?;
@@ -266,7 +267,7 @@ impl BridgeRun {
 pub(super) fn middles(frame: &Frame) -> Vec<[f64; 2]> {
     let initial = frame.initial();
     frame
-        .triangles
+        .elements
         .iter()
         .map(|&t| {
             let c = Frame::corners(t, &initial);

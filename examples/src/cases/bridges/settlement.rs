@@ -143,7 +143,7 @@ fn course(run: &BridgeRun) -> Result<[f64; 2], CaseError> {
 
 /// Largest von Mises stress of masonry that lay higher than `above` at the start \[Pa\].
 fn largest_stress(run: &BridgeRun, frame: &Frame, above: f64) -> Result<f64, CaseError> {
-    let values = Field::VonMises.values(frame)?.of_triangles(frame);
+    let values = Field::VonMises.values(frame)?.of_elements(frame);
     let masonry = values
         .iter()
         .zip(middles(frame))

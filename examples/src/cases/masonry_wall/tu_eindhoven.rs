@@ -204,7 +204,7 @@ fn shortened(mut scenario: Scenario) -> Scenario {
 
 fn middles(frame: &Frame) -> Vec<[f64; 2]> {
     let initial = frame.initial();
-    let corners = frame.triangles.iter().map(|&t| Frame::corners(t, &initial));
+    let corners = frame.elements.iter().map(|&t| Frame::corners(t, &initial));
     corners.map(|c| [0, 1].map(|i| (c[0][i] + c[1][i] + c[2][i]) / 3.0)).collect()
 }
 

@@ -1,62 +1,46 @@
 use super::Reader;
-use yformat::{database::Field, deck::Stage, diagnostic::Diagnostic};
-
-/// Numbers that switch on what is not simulated.
-const NUMBERS: &[(&str, &str)] =
-    &[("YSP/NSPD", "rigid bodies"), ("YDC/ICHPRM", "chip removal (Solidity)")];
-
-/// Values that do, where they are not 0.
-const VALUES: &[(&str, &str)] = &[
-    ("YDC/DCGRST", "the five stages of a load (Solidity)"),
-    ("YDC/DCRMCT", "the five stages of a load (Solidity)"),
-    ("YDC/DCRMUT", "the five stages of a load (Solidity)"),
-    ("YDC/DCRMJT", "jets (Solidity)"),
-    ("YDC/DCIMVELX", "impact velocities (Solidity)"),
-    ("YDC/DCIMVELY", "impact velocities (Solidity)"),
-    ("YDC/DCIMVELZ", "impact velocities (Solidity)"),
-    ("YDJ/DEFECT", "weakened joints (Solidity)"),
-];
-
-/// Arrays of reals that do, where an entry is not 0.
-const REALS: &[(&str, &str)] = &[
-    ("YDP/D1CTEX", "thermal expansion (VGW)"),
-    ("YDP/D1PEMR", "mass scaling (Solidity)"),
-    ("YDB/D1BNAP", "nodal pressures (VGW)"),
-    ("YDX/D1NBP", "back pressures (Solidity)"),
-    ("YDN/D2NVT", "velocities of a fluid (VGW)"),
-];
-
-/// Arrays of integers that do, where an entry is above 0.
-const INTEGERS: &[(&str, &str)] = &[
-    ("YDB/I1BNTP", "temperatures (VGW)"),
-    ("YDB/I1BNHF", "heat fluxes (VGW)"),
-    ("YDB/I1BCVT", "convection (VGW)"),
-    ("YDX/I1JTP", "jets (Solidity)"),
-];
+use yformat::{
+    database::Field,
+    deck::Stage,
+    diagnostic::Diagnostic,
+    dialect::Dialect,
+    keywords::{Keyword, NumberKind, Role, tables},
+};
 
 /// Reports what a deck asks for and this program does not simulate.
 pub(super) fn check(reader: &mut Reader<'_>) {
-    let numbers = NUMBERS.iter().filter(|(name, _)| reader.integer(name) > 0);
-    let values = VALUES.iter().filter(|(name, _)| reader.real(name) != 0.0);
-    let mut asked: Vec<&(&str, &str)> = numbers.chain(values).collect();
-    asked.extend(REALS.iter().filter(|(name, _)| {
-        reader.real_field(name).is_some_and(|field| holds(field, |value| value != 0.0))
-    }));
-    asked.extend(INTEGERS.iter().filter(|(name, _)| {
-        reader.integer_field(name).is_some_and(|field| holds(field, |value| value > 0))
-    }));
-    for (name, what) in asked {
-        reader.report(
-            Diagnostic::error(
-                "scene::not-simulated",
-                format!("{name} asks for what is not simulated: {what}"),
-            )
-            .at(reader.place(name))
-            .expected("4-node and 10-node tetrahedra, contact, joints, given forces and velocities")
-            .help(format!("set /YD/{name} to 0 to run the deck without")),
-        );
+    for keyword in tables(Dialect::Y3d).iter().flat_map(|table| table.keywords) {
+        let Role::Refused(what) = keyword.role else { continue };
+        let name = format!("{}/{}", keyword.database, keyword.name);
+        if is_asked_for(reader, keyword, &name) {
+            reader.report(
+                Diagnostic::error(
+                    "scene::not-simulated",
+                    format!("{name} asks for what is not simulated: {what}"),
+                )
+                .at(reader.place(&name))
+                .expected(
+                    "4-node and 10-node tetrahedra, contact, joints, given forces and velocities",
+                )
+                .help(format!("set /YD/{name} to 0 to run the deck without")),
+            );
+        }
     }
     check_stages(reader);
+}
+
+/// Whether an integer is above 0, a real other than 0, or an entry of an array is.
+fn is_asked_for(reader: &Reader<'_>, keyword: &Keyword, name: &str) -> bool {
+    match (keyword.number, keyword.rank()) {
+        (NumberKind::Integer, 0) => reader.integer(name) > 0,
+        (NumberKind::Real, 0) => reader.real(name) != 0.0,
+        (NumberKind::Integer, _) => {
+            reader.integer_field(name).is_some_and(|field| holds(field, |value| value > 0))
+        }
+        (NumberKind::Real, _) => {
+            reader.real_field(name).is_some_and(|field| holds(field, |value| value != 0.0))
+        }
+    }
 }
 
 /// Whether a given entry is `wanted`.
