@@ -2,7 +2,6 @@
 
 use super::BenchError;
 use crate::{
-    output::MonitorPlan,
     scene::Profile,
     session::{Format, RunOptions, Silent, load, run},
     simulation::{AnySimulation, PhaseTimes, SolverOptions, face_joint_views, joint_views},
