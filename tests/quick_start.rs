@@ -1,4 +1,4 @@
-//! The quick start of the manual: its commands, typed one after the other, leave what it says.
+//! The quick start and the tutorial of the manual: their commands, typed one after the other, leave what they say.
 #![cfg(unix)]
 
 use std::{env, fs, os::unix::fs::symlink, path::Path, process::Command};
@@ -81,4 +81,46 @@ fn its_commands_lead_to_the_stresses_of_a_bridge() {
     let least = Field::StressYy.values(&frame).expect("stresses");
     let least = least.all().iter().copied().fold(f64::INFINITY, f64::min);
     assert!(least < -2e6, "{least}");
+}
+
+#[test]
+fn the_tutorial_leads_to_a_tower_that_rocks() {
+    let text = include_str!("../docs/src/tutorial.md");
+    let sources = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/src");
+    let desk = Desk::new();
+    let deck = desk.0.path().join("tower.y");
+    fs::copy(sources.join("tower.y"), &deck).expect("the deck");
+    let commands = text.lines().filter_map(|line| line.strip_prefix("$ "));
+    let said: Vec<String> = commands
+        .map(|line| {
+            let (code, words) = desk.type_in(line);
+            assert_eq!(code, 0, "{line}: {words}");
+            words
+        })
+        .collect();
+    assert_eq!(said.len(), 3);
+    for line in
+        text.lines().filter(|line| line.starts_with("  time step") || line.starts_with("tower.y:"))
+    {
+        assert!(said[0].contains(line), "{line}: {}", said[0]);
+    }
+    assert!(said[1].contains("80001 steps"), "{}", said[1]);
+    let speed = fs::read_to_string(desk.0.path().join("tower/tower.yh1")).expect("a history");
+    let last = speed.split_whitespace().next_back().expect("a value");
+    assert!((last.parse::<f64>().expect("a number") - 0.64).abs() < 0.005, "{last}");
+    let mut results = Results::open(&desk.0.path().join("tower")).expect("results");
+    let frame = results.frame(results.len() - 1).expect("the last state");
+    let base = frame.displacement.expect("displacements")[0][0];
+    assert!((base - 0.14).abs() < 0.005, "{base}");
+    assert!(desk.0.path().join("tower.png").exists());
+    // and Octave makes this deck
+    let script = sources.join("tower.m");
+    let made =
+        Command::new("octave-cli").arg("--no-gui").arg(&script).current_dir(&desk.0).output();
+    if made.is_err() {
+        println!("skipped: octave-cli is not installed, the deck of the tutorial is not made anew");
+        return;
+    }
+    let (made, kept) = (fs::read(deck).expect("a deck"), fs::read(sources.join("tower.y")));
+    assert!(made == kept.expect("the deck"), "tower.m makes another deck than tower.y");
 }

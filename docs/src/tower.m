@@ -4,7 +4,7 @@ w  = 0.4;    % width of a block, m
 h  = 0.25;   % height of a block, m
 v0 = 0.5;    % velocity of the base, m/s
 tend = 0.4;  % end of the run, s
-dt = 1e-5;   % time step, s
+dt = 5e-6;   % time step, s
 
 E = 10e9; nu = 0.2; rho = 2400;            % stone
 lambda = E*nu / ((1+nu)*(1-2*nu));
@@ -31,7 +31,7 @@ fprintf(f, '/* Tower of %d blocks on a moving base, made by tower.m */\n', n);
 fprintf(f, '/YD/YDC/MCSTEP %d\n', round(tend/dt) + 1);
 fprintf(f, '/YD/YDC/DCSTEC %.17g\n', dt);
 fprintf(f, '/YD/YDC/DCGRAY -9.81\n');
-fprintf(f, '/YD/YDC/ICOUTF 1000\n/YD/YDC/ICSHTF 5000\n');
+fprintf(f, '/YD/YDC/ICOUTF 2000\n/YD/YDC/ICSHTF 5000\n');
 % nodes
 fprintf(f, '/YD/YDN/MNODIM 2\n/YD/YDN/NNODIM 2\n/YD/YDN/MNOPO %d\n/YD/YDN/NNOPO %d\n', nn, nn);
 fprintf(f, '/YD/YDN/D2NCI 21 2 %d\n', nn);  fprintf(f, '%.17g %.17g\n', xy');

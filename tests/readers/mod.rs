@@ -8,12 +8,13 @@ pub mod checkpoints;
 pub mod decks;
 pub mod results;
 pub mod scenarios;
+pub mod studies;
 
 /// A reader and the name of its corpus.
 pub type Reader = (&'static str, fn(&[u8]));
 
 /// All readers: one fuzz target and one folder in `fuzz/corpus` each.
-pub const READERS: [Reader; 17] = [
+pub const READERS: [Reader; 18] = [
     ("deck_split", decks::split),
     ("deck_classic", decks::classic),
     ("deck_ygeo", decks::ygeo),
@@ -30,6 +31,7 @@ pub const READERS: [Reader; 17] = [
     ("csv", results::csv),
     ("gmsh", scenarios::gmsh),
     ("scenario", scenarios::scenario),
+    ("study", studies::study),
     ("words", scenarios::words),
 ];
 
