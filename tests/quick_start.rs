@@ -62,7 +62,9 @@ fn its_commands_lead_to_the_stresses_of_a_bridge() {
         said.push(words);
     }
     let run = said.iter().find(|words| words.contains("joints have failed")).expect("a run");
-    for words in ["863 triangles", "Settled in", "25001 steps"] {
+    for words in
+        ["863 triangles", "Settled in", "25001 steps", "166 joints have failed", "62 more files"]
+    {
         assert!(run.contains(words), "{words}: {run}");
     }
     let pictures = [Desk::files_of("-o"), Desk::files_of("--picture")].concat();
@@ -76,6 +78,11 @@ fn its_commands_lead_to_the_stresses_of_a_bridge() {
     let stress = Field::StressYy.values(&frame).expect("stresses");
     let least = stress.all().iter().copied().fold(f64::INFINITY, f64::min);
     assert!((least + LARGEST_COMPRESSION).abs() < 0.01e6, "{least}");
+    let crown = fs::read_to_string(desk.0.path().join("crown.csv")).expect("a table");
+    let uy = |line: &str| line.split(',').nth(1).and_then(|word| word.parse::<f64>().ok());
+    let uy: Vec<f64> = crown.lines().filter_map(uy).collect();
+    assert!((uy[0] + 0.16e-3).abs() < 0.01e-3, "{crown}");
+    assert!((uy[uy.len() - 1] + 2.9e-3).abs() < 0.05e-3, "{crown}");
     let last = results.len() - 1;
     let frame = results.frame(last).expect("the cracked state");
     let least = Field::StressYy.values(&frame).expect("stresses");
