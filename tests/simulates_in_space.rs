@@ -10,7 +10,10 @@ use std::{
     fs,
     path::{Path, PathBuf},
 };
-use support::spoilt_deck::{base_of, edit, write};
+use support::{
+    block_deck::SIX_TETRAHEDRA,
+    spoilt_deck::{base_of, edit, write},
+};
 use tempfile::TempDir;
 use ypsilon::{
     meshing::{
@@ -67,14 +70,7 @@ fn jointed_block(n: usize) -> String {
         for y in 0..n {
             for x in 0..n {
                 let c = |i: usize| at(x + (i & 1), y + (i >> 1 & 1), z + (i >> 2));
-                for [a, b, d, e] in [
-                    [0, 1, 3, 7],
-                    [0, 5, 1, 7],
-                    [0, 3, 2, 7],
-                    [0, 2, 6, 7],
-                    [0, 4, 5, 7],
-                    [0, 6, 4, 7],
-                ] {
+                for [a, b, d, e] in SIX_TETRAHEDRA {
                     let _ = writeln!(corners, "{} {} {} {}", c(a), c(b), c(d), c(e));
                 }
             }

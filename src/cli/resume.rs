@@ -88,36 +88,31 @@ fn checkpoint_in(folder: &Path) -> Result<PathBuf, Fault> {
     }
 }
 
-/// What `ypsilon run` is to do.
-fn run_of(arguments: &ResumeArguments) -> Result<RunArguments, Fault> {
+/// What `ypsilon run` is to do, and from where.
+fn run_of(arguments: &ResumeArguments) -> Result<(RunArguments, Checkpoint), Fault> {
     let results = &arguments.results;
     let file = if results.is_dir() { checkpoint_in(results)? } else { results.clone() };
-    let deck = match &arguments.deck {
-        Some(deck) => deck.clone(),
-        None => {
-            let deck = Checkpoint::read(&file)?.deck_file().to_path_buf();
-            if !deck.is_file() {
-                return Err(Fault::Deck { deck });
-            }
-            deck
-        }
-    };
+    let checkpoint = Checkpoint::read(&file)?;
+    let deck = arguments.deck.clone().unwrap_or_else(|| checkpoint.deck_file().to_path_buf());
+    if arguments.deck.is_none() && !deck.is_file() {
+        return Err(Fault::Deck { deck });
+    }
     let folder = match file.parent() {
         Some(folder) if folder != Path::new("") => folder.to_path_buf(),
         _ => PathBuf::from("."),
     };
-    let mut run = RunArguments::from_checkpoint(deck, folder, file);
+    let mut run = RunArguments::of(deck, folder);
     run.threads = arguments.threads;
     run.steps = arguments.steps;
     run.checkpoint_every = arguments.checkpoint_every;
     run.quiet = arguments.quiet;
-    Ok(run)
+    Ok((run, checkpoint))
 }
 
 /// Goes on with a run.
 pub(super) fn main(arguments: &ResumeArguments) -> Exit {
     match run_of(arguments) {
-        Ok(run) => super::run::main(&run),
+        Ok((run, checkpoint)) => super::run::go_on(&run, checkpoint),
         Err(fault) => {
             warn(&format!("error: {fault}"));
             Exit::Input

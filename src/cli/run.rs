@@ -205,9 +205,9 @@ pub(super) fn parse_dialect(name: &str) -> Result<Dialect, String> {
 }
 
 impl RunArguments {
-    /// Goes on with a run of a deck from a checkpoint.
-    pub(super) fn from_checkpoint(deck: PathBuf, folder: PathBuf, checkpoint: PathBuf) -> Self {
-        Self { deck, folder, resume: Some(Some(checkpoint)), ..Self::default() }
+    /// A run of a deck as [`go_on`] takes it.
+    pub(super) fn of(deck: PathBuf, folder: PathBuf) -> Self {
+        Self { deck, folder, ..Self::default() }
     }
 
     /// The dialect that the deck is taken for, if it is said.
@@ -299,6 +299,15 @@ impl RunArguments {
 
 /// Runs a deck.
 pub(super) fn main(arguments: &RunArguments) -> Exit {
+    start(arguments, None)
+}
+
+/// Goes on with a run of a deck from a checkpoint.
+pub(super) fn go_on(arguments: &RunArguments, checkpoint: Checkpoint) -> Exit {
+    start(arguments, Some(checkpoint))
+}
+
+fn start(arguments: &RunArguments, checkpoint: Option<Checkpoint>) -> Exit {
     if arguments.threads == Some(0) {
         warn("error: --threads needs at least 1");
         return Exit::Usage;
@@ -320,7 +329,8 @@ pub(super) fn main(arguments: &RunArguments) -> Exit {
             };
         }
     };
-    let resume = match arguments.earlier(&deck) {
+    let resume = match checkpoint.map_or_else(|| arguments.earlier(&deck), |found| Ok(Some(found)))
+    {
         Ok(resume) => resume,
         Err(error) => return report_failure(&error.into()),
     };

@@ -70,7 +70,6 @@ pub struct EnergyOutput<A, const D: usize> {
     interval: u64,
     /// None until a table of an earlier run is gone on with.
     table: Option<TableFile>,
-    summary: Option<EnergySummary>,
 }
 
 /// How to go on with a table of energies.
@@ -79,7 +78,6 @@ struct EnergyMark<const D: usize> {
     position: FilePosition,
     interval: u64,
     ledger: Ledger<D>,
-    summary: Option<EnergySummary>,
 }
 
 impl<A, const D: usize> EnergyOutput<A, D> {
@@ -89,14 +87,14 @@ impl<A, const D: usize> EnergyOutput<A, D> {
     /// If the file cannot be created.
     pub fn open(names: &OutputNames, audit: A, interval: u64) -> Result<Self, OutputError> {
         let heading = format!("time (s),step,{}", EnergyBalance::NAMES.join(","));
-        let table = Some(TableFile::create(names.energy(), &heading)?);
+        let table = Some(TableFile::with_heading(names.energy(), &heading)?);
         Ok(Self { table, ..Self::closed(audit, interval) })
     }
 
     /// A table of an earlier run, to be gone on with.
     #[must_use]
     pub fn closed(audit: A, interval: u64) -> Self {
-        Self { audit, interval, table: None, summary: None }
+        Self { audit, interval, table: None }
     }
 }
 
@@ -108,13 +106,11 @@ impl<S, A: Audit<S, D>, const D: usize> ResultWriter<S> for EnergyOutput<A, D> {
 
     fn after_motion(&mut self, simulation: &S) -> Result<(), OutputError> {
         self.audit.after_motion(simulation);
-        let ledger = self.audit.ledger();
-        let last = ledger.balance();
-        self.summary = Some(EnergySummary { last, worst_relative_error: ledger.worst_error() });
         let (step, time) = A::instant(simulation);
         match &mut self.table {
             Some(table) if step.is_multiple_of(self.interval) => {
-                let values = last.values().map(|value| format!("{value:e}"));
+                let values =
+                    self.audit.ledger().balance().values().map(|value| format!("{value:e}"));
                 table.line(&format!("{time:e},{step},{}", values.join(",")))
             }
             _ => Ok(()),
@@ -126,7 +122,9 @@ impl<S, A: Audit<S, D>, const D: usize> ResultWriter<S> for EnergyOutput<A, D> {
     }
 
     fn energy(&self) -> Option<EnergySummary> {
-        self.summary
+        let ledger = self.audit.ledger();
+        let (last, worst_relative_error) = (ledger.balance(), ledger.worst_error());
+        ledger.has_begun().then_some(EnergySummary { last, worst_relative_error })
     }
 
     fn mark(&mut self) -> Result<Vec<u8>, OutputError> {
@@ -137,7 +135,6 @@ impl<S, A: Audit<S, D>, const D: usize> ResultWriter<S> for EnergyOutput<A, D> {
                 position: table.mark()?,
                 interval: self.interval,
                 ledger: self.audit.ledger().clone(),
-                summary: self.summary,
             },
         )
     }
@@ -153,7 +150,6 @@ impl<S, A: Audit<S, D>, const D: usize> ResultWriter<S> for EnergyOutput<A, D> {
             return Err(OutputError::Mark { kind: KIND });
         }
         self.table = Some(TableFile::resume(names.energy(), mark.position)?);
-        self.summary = mark.summary;
         Ok(())
     }
 

@@ -1,6 +1,8 @@
 //! `.yh` histories of a run (spec `y2d3d.md` G.3, `outputs.md` 2 and 5.7).
 
-use super::{FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, mark::mark_of};
+use super::{
+    FilePosition, OutputError, OutputNames, ResultWriter, decode, encode, table_file::TableFile,
+};
 use crate::{
     mechanics::Vec2,
     scene::{HistoryLines, Probe, Scene},
@@ -8,13 +10,12 @@ use crate::{
 };
 use std::{
     fs,
-    io::{self, BufWriter, Write},
+    io::{self, Write},
     path::PathBuf,
 };
 use yformat::{
     dialect::Dialect,
     history::{HistoryWriter, LineStyle},
-    part_file::PartFile,
 };
 
 /// What `--formats` calls the files.
@@ -27,7 +28,7 @@ const SUMMED_SET: i32 = 1;
 
 /// Writes one file per history.
 pub struct HistoryOutput {
-    files: Vec<(PathBuf, BufWriter<PartFile>)>,
+    files: Vec<TableFile>,
 }
 
 impl HistoryOutput {
@@ -46,12 +47,12 @@ impl HistoryOutput {
         let continues = scene.control.first_step > 0;
         let open = |index: usize| -> Result<_, OutputError> {
             let path = names.history(index);
-            let mut part = PartFile::create(&path).map_err(OutputError::io(&path))?;
+            let mut table = TableFile::create(path.clone())?;
             if continues && path.exists() {
                 let earlier = fs::read(&path).map_err(OutputError::io(&path))?;
-                part.write_all(&earlier).map_err(OutputError::io(&path))?;
+                table.write(|file| file.write_all(&earlier))?;
             }
-            Ok((path, BufWriter::new(part)))
+            Ok(table)
         };
         let files = (0..scene.probes.len()).map(open).collect::<Result<_, _>>()?;
         Ok(Self { files })
@@ -70,10 +71,10 @@ impl HistoryOutput {
         is_due: impl Fn(usize) -> bool,
     ) -> Result<(), OutputError> {
         let probes = &simulation.scene().probes;
-        for (index, (probe, (path, file))) in probes.iter().zip(&mut self.files).enumerate() {
+        for (index, (probe, table)) in probes.iter().zip(&mut self.files).enumerate() {
             if is_due(index) {
                 let value = simulation.probe_values()[index];
-                line(file, simulation, probe, value).map_err(OutputError::io(path.as_path()))?;
+                table.write(|file| line(file, simulation, probe, value))?;
             }
         }
         Ok(())
@@ -149,10 +150,9 @@ impl ResultWriter<SpatialSimulation> for HistoryOutput {
             return Ok(());
         }
         let probes = simulation.scene().probes.iter().zip(simulation.probe_values());
-        for ((probe, value), (path, file)) in probes.zip(&mut self.files) {
-            HistoryWriter::new(file, LineStyle::Unix)
-                .write(simulation.time() * probe.time_factor, value * probe.value_factor)
-                .map_err(OutputError::io(path.as_path()))?;
+        for ((probe, value), table) in probes.zip(&mut self.files) {
+            let (time, value) = (simulation.time() * probe.time_factor, value * probe.value_factor);
+            table.write(|file| HistoryWriter::new(file, LineStyle::Unix).write(time, value))?;
         }
         Ok(())
     }
@@ -181,10 +181,8 @@ impl ResultWriter<SpatialSimulation> for HistoryOutput {
 
 impl HistoryOutput {
     fn mark_files(&mut self) -> Result<Vec<u8>, OutputError> {
-        let mark = |(path, file): &mut (PathBuf, BufWriter<PartFile>)| {
-            mark_of(file).map_err(OutputError::io(path.as_path()))
-        };
-        let positions = self.files.iter_mut().map(mark).collect::<Result<Vec<_>, _>>()?;
+        let positions =
+            self.files.iter_mut().map(TableFile::mark).collect::<Result<Vec<_>, _>>()?;
         encode(KIND, &positions)
     }
 
@@ -198,21 +196,12 @@ impl HistoryOutput {
         if positions.len() != probes {
             return Err(OutputError::Mark { kind: KIND });
         }
-        let open = |(index, position): (usize, FilePosition)| -> Result<_, OutputError> {
-            let path = names.history(index);
-            let part = PartFile::resume(&path, &position.into());
-            let part = part.map_err(OutputError::changed(&path))?;
-            Ok((path, BufWriter::new(part)))
-        };
+        let open = |(index, position)| TableFile::resume(names.history(index), position);
         self.files = positions.into_iter().enumerate().map(open).collect::<Result<_, _>>()?;
         Ok(())
     }
 
     fn finish_files(self) -> Result<Vec<PathBuf>, OutputError> {
-        let complete = |(path, file): (PathBuf, BufWriter<PartFile>)| {
-            let part = file.into_inner().map_err(|e| OutputError::io(&path)(e.into_error()))?;
-            part.complete().map_err(OutputError::io(path))
-        };
-        self.files.into_iter().map(complete).collect()
+        self.files.into_iter().map(TableFile::finish).collect()
     }
 }

@@ -212,7 +212,7 @@ impl MonitorOutput {
             let name = monitor.name.replace([',', '"'], " ");
             headings.extend(monitor.quantities.iter().map(|q| format!("{name} {}", q.heading())));
         }
-        let table = Some(TableFile::create(names.monitors(), &headings.join(","))?);
+        let table = Some(TableFile::with_heading(names.monitors(), &headings.join(","))?);
         Ok(Self { plan: plan.clone(), table, chosen })
     }
 

@@ -2,7 +2,7 @@
 
 use super::{FilePosition, OutputError, mark::mark_of};
 use std::{
-    io::{BufWriter, Write as _},
+    io::{self, BufWriter, Write as _},
     path::PathBuf,
 };
 use yformat::part_file::PartFile;
@@ -14,10 +14,15 @@ pub(super) struct TableFile {
 }
 
 impl TableFile {
-    /// Starts a table with its heading.
-    pub fn create(path: PathBuf, heading: &str) -> Result<Self, OutputError> {
+    /// Starts a table.
+    pub fn create(path: PathBuf) -> Result<Self, OutputError> {
         let part = PartFile::create(&path).map_err(OutputError::io(&path))?;
-        let mut table = Self { path, file: BufWriter::new(part) };
+        Ok(Self { path, file: BufWriter::new(part) })
+    }
+
+    /// Starts a table with its heading.
+    pub fn with_heading(path: PathBuf, heading: &str) -> Result<Self, OutputError> {
+        let mut table = Self::create(path)?;
         table.line(heading)?;
         Ok(table)
     }
@@ -31,7 +36,15 @@ impl TableFile {
 
     /// Writes one line.
     pub fn line(&mut self, line: &str) -> Result<(), OutputError> {
-        writeln!(self.file, "{line}").map_err(OutputError::io(&self.path))
+        self.write(|file| writeln!(file, "{line}"))
+    }
+
+    /// Writes whatever `write` does.
+    pub fn write(
+        &mut self,
+        write: impl FnOnce(&mut BufWriter<PartFile>) -> io::Result<()>,
+    ) -> Result<(), OutputError> {
+        write(&mut self.file).map_err(OutputError::io(&self.path))
     }
 
     /// How far the table has been written, all of it on the disk.

@@ -568,6 +568,7 @@ impl<M: Model> Session<'_, M> {
 
     /// Relative error of the balance of energies, if that is watched.
     fn energy_error(&self) -> Option<f64> {
+        self.options.watch.energy_interval?;
         let energy = self.writers.iter().find_map(|writer| writer.energy());
         energy.map(|energy| energy.last.relative_error)
     }

@@ -10,6 +10,10 @@ use yformat::{
 pub const CUBES: [usize; 3] = [4, 2, 2];
 /// Side of a cube, m.
 pub const CUBE: f64 = 0.1;
+/// Six tetrahedra of a cube around its diagonal; corner `i` lies at bit 0 of `i` along x, bit 1 along y and bit 2
+/// along z.
+pub const SIX_TETRAHEDRA: [[usize; 4]; 6] =
+    [[0, 1, 3, 7], [0, 5, 1, 7], [0, 3, 2, 7], [0, 2, 6, 7], [0, 4, 5, 7], [0, 6, 4, 7]];
 /// Lamé's first constant, Pa.
 pub const LAMBDA: f64 = 4e8;
 /// Shear modulus, Pa.
@@ -55,14 +59,7 @@ pub fn block(
         for j in 0..CUBES[1] {
             for i in 0..CUBES[0] {
                 let corner = |c: usize| node([i + (c & 1), j + (c >> 1 & 1), k + (c >> 2)]) as i64;
-                for tetrahedron in [
-                    [0, 1, 3, 7],
-                    [0, 5, 1, 7],
-                    [0, 3, 2, 7],
-                    [0, 2, 6, 7],
-                    [0, 4, 5, 7],
-                    [0, 6, 4, 7],
-                ] {
+                for tetrahedron in SIX_TETRAHEDRA {
                     corners.extend(tetrahedron.map(corner));
                 }
             }

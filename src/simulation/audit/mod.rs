@@ -157,6 +157,12 @@ impl<const D: usize> Ledger<D> {
         }
     }
 
+    /// Whether a state has been looked at and has moved on.
+    #[must_use]
+    pub fn has_begun(&self) -> bool {
+        self.first.is_some()
+    }
+
     /// The balance of the last state looked at.
     #[must_use]
     pub fn balance(&self) -> EnergyBalance {
